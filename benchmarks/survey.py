@@ -48,7 +48,7 @@ def main(arguments: list[str]) -> None:
     options_of = parser("benchmarks.survey", __doc__, every)
     options_of.add_argument("--poses", type=int, default=POSES, metavar="N")
     options = options_of.parse_args(arguments)
-    lines = survey([robot_path(name) for name in options.arms], options.poses, tell=print)
+    lines = survey([robot_path(name) for name in options.arms], options.poses, progress=print)
     new = {line.name: padded(cells(line)) for line in lines}
     known = {row[NAME]: row for row in written(README.read_text(encoding="utf-8"))}
     rows = {**known, **new} if options.write else new

@@ -1,4 +1,4 @@
-"""The words of the command line: options, files and what help says."""
+"""The words of the command line: options, files and the text of help."""
 
 from __future__ import annotations
 

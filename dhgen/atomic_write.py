@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def replace_files(folder: Path, contents: Mapping[str, bytes]) -> None:
-    """Writes files to a folder; what is there stays unless all of the new ones have found room.
+    """Writes files to a folder; the old ones are kept unless all of the new ones have found room.
 
     Args:
         folder: Is there already.
@@ -56,7 +56,7 @@ def _room(folder: Path) -> tempfile.TemporaryDirectory[str]:
 
 @contextmanager
 def naming(path: Path) -> Iterator[None]:
-    """Lets errors say what they are about: Python's do so of files that can't be opened only."""
+    """Adds the path to an OSError that lacks one."""
     try:
         yield
     except OSError as error:

@@ -1,9 +1,9 @@
 """Arms of one kind whose tables come at run time: what they have in common.
 
-Their numbers are not known here, so that one of them stands for all: the arm of the data sheet
-with other numbers than nominal ones in its table. By it the formulations of the general algorithm
-are chosen, and what has to be done around its rows. Zeros of joints, base and tool change neither;
-lengths count in sizes of the nominal arm, whose tool has a share in its size.
+Their numbers are not known here, so that one of them is the sample of all: the arm of the data
+sheet with other numbers than nominal ones in its table. By it the formulations of the general
+algorithm are chosen, and what has to be done around its rows. Zeros of joints, base and tool change
+neither; lengths count in sizes of the nominal arm, whose tool has a share in its size.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ if TYPE_CHECKING:
     from dhgen.targets.module import SolverModule
 
 JOINTS = 6
-# What the numbers of the arm that stands for all are more than nominal ones [rad, arm sizes]: as
-# those of calibrations, and no two alike in a column.
+# What the sample arm's numbers are more than nominal ones [rad, arm sizes]: as in calibrations, and
+# no two alike in a column.
 STEP = 2e-4
 PARTS = (0.618, 0.382, 0.854, 0.236, 0.472, 0.708)
 
@@ -105,12 +105,12 @@ def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None
 
 
 def _refusal(robot: Robot, reason: str) -> UnsolvedError:
-    told = "leave calibration out, and make a robot file of each arm by `dhgen calibrate`"
-    return UnsolvedError(f"{robot.name}: tables can't come at run time: {reason}; {told}")
+    advice = "leave calibration out, and make a robot file of each arm by `dhgen calibrate`"
+    return UnsolvedError(f"{robot.name}: tables can't come at run time: {reason}; {advice}")
 
 
 def _file(name: str, chain: Chain, table: LinkTable) -> str:
-    """The robot file of the arm that stands for all."""
+    """The robot file of the sample arm."""
     rows = []
     for place, (row, joint) in enumerate(zip(table.rows, chain.joints, strict=True)):
         part, other = PARTS[place], PARTS[(place + 2) % len(PARTS)]

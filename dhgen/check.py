@@ -61,7 +61,7 @@ def compare(
     Args:
         files: The robot files.
         out: The folder.
-        options: What the command that mends it has to say besides a robot file.
+        options: The options of the command that mends it.
         single_file: Whether C and Python hold what they need of the runtime.
     """
     expected: dict[str, str] = {}
@@ -88,7 +88,7 @@ def compare(
 
 
 def _extra_text(path: Path, robots: tuple[Path, ...]) -> str:
-    """What is said of a file that these robot files do not make."""
+    """The message about a file that these robot files do not make."""
     if not is_generated(path):
         return (
             f"{path}: not written by dhgen\n"
@@ -116,7 +116,7 @@ def _difference(path: Path, text: str) -> str | None:
         present = path.read_bytes().decode("utf-8", "replace")
     except (FileNotFoundError, NotADirectoryError):
         return f"{path}: missing"
-    except OSError as error:  # a folder, or links that lead in a circle
+    except OSError as error:  # a folder, or a circle of links
         return f"{path}: can't be read ({error.strerror})"
     if present == text:
         return None
@@ -137,12 +137,11 @@ def _difference(path: Path, text: str) -> str | None:
 def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[str]) -> list[str]:
     """Files of the output folder that neither these robot files nor their neighbours make.
 
-    What a file makes that is refused isn't known: only those count that do (what all robots
-    share is among what any of them makes). Files that say they are made from another folder are
-    not looked at.
+    What a refused file would make isn't known: only the other files count (what all robots share is
+    among what any of them makes). Files generated from another folder are not looked at.
     """
     folders = {led_to(path).parent for path in files}
-    told = {_folder_of(plain_path(source_name(path, out))) for path in files}
+    sources = {_folder_of(plain_path(source_name(path, out))) for path in files}
     around = (each for folder in folders for each in _robots_in(folder))
     neighbours = _stems([*files, *around])
     known = _stems(makers)
@@ -153,7 +152,7 @@ def _extra(files: tuple[Path, ...], makers: set[Path], out: Path, expected: set[
         for name, stem in [*_in_the_folder(out), *_figures(out)]
         if name not in expected
         and (stem in known or stem not in neighbours)
-        and source_folder(out / name) in {None, *told}
+        and source_folder(out / name) in {None, *sources}
     )
     return own + _extra_of_the_runtime(out, expected)
 
@@ -173,7 +172,7 @@ def _in_the_folder(out: Path) -> Iterable[tuple[str, str]]:
 
 
 def _figures(out: Path) -> Iterable[tuple[str, str]]:
-    """The same of generated figures; drawings of others may lie beside them."""
+    """The messages about generated figures; drawings of others may lie beside them."""
     for path in (out / FOLDER).glob("*.svg"):
         if is_generated(path):
             yield f"{FOLDER}/{path.name}", path.stem.rpartition("_")[0]
@@ -188,7 +187,7 @@ def _extra_of_the_runtime(out: Path, expected: set[str]) -> list[str]:
 
 
 def _folder_of(source: str) -> str:
-    """The folder that stands before a name, if there is any."""
+    """The folder before a name, if there is any."""
     return source.rpartition("/")[0]
 
 
@@ -201,7 +200,7 @@ def _stems(files: Iterable[Path]) -> set[str]:
 
 
 def _robot_name(path: Path) -> str:
-    """The name that a robot file gives itself, or an import a robot's; else that of the file."""
+    """The name in a robot file, or of an import's robot; else the file's name."""
     try:
         text = path.read_text(encoding="utf-8", errors="replace")
     except OSError:  # it is refused for that

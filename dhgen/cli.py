@@ -29,10 +29,10 @@ MEANT = {
         for option in ("check", "numerical", "single-file", "help", "version")
     },
 }
-# Where nobody reads what a command says it is not known to have gone well: a derivation alone has
+# Where nobody reads a command's output it is not known to have gone well: a derivation alone has
 # been read as far as was wanted.
 READER_GONE = 1
-INTERRUPTED = 130  # what shells say of a command that Ctrl-C has ended
+INTERRUPTED = 130  # the exit code in shells of a command that Ctrl-C has ended
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -51,16 +51,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         sys.stdout.flush()
     except DhgenError as error:
         code = error.exit_code
-        _tell(str(error))
+        _print_error(str(error))
     except KeyboardInterrupt:
         code = INTERRUPTED
-        _tell("dhgen: interrupted")
+        _print_error("dhgen: interrupted")
     except BrokenPipeError:  # the reader of our output has seen enough
         _lose_output()
         code = 0 if words[:1] == ["explain"] else max(code, READER_GONE)
     except OSError as error:
         code = 1
-        _tell(f"dhgen: {error.strerror or error}: {error.filename or 'output'}")
+        _print_error(f"dhgen: {error.strerror or error}: {error.filename or 'output'}")
     return code
 
 
@@ -93,7 +93,7 @@ def _parsed(made: argparse.ArgumentParser, words: list[str]) -> argparse.Namespa
     return options
 
 
-def _tell(message: str) -> None:
+def _print_error(message: str) -> None:
     """Writes to stderr; who does not listen, there or to stdout, gets the exit code alone."""
     try:
         print(message, file=sys.stderr, flush=True)

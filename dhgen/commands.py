@@ -37,8 +37,8 @@ WHOSE = "this is a bug in dhgen, not a mistake in the file"
 WHOSE_NOTED = "a note above may say why; if not, this is a bug in dhgen"
 
 
-def _tell(text: str) -> None:
-    """Progress, for those who wait at a terminal."""
+def _print_progress(text: str) -> None:
+    """Prints progress, at a terminal."""
     if sys.stderr.isatty():
         print(f"  {text} ...", file=sys.stderr, flush=True)
 
@@ -46,18 +46,18 @@ def _tell(text: str) -> None:
 def _compile(file: RobotFile, *, out: Path | None = None, single_file: bool = False) -> Compilation:
     from dhgen.compiler import compile_loaded  # noqa: PLC0415
 
-    _tell_notes(file.robot.notices)
+    _print_notes(file.robot.notices)
     with about(file.path):
-        return compile_loaded(file, _tell, out=out, single_file=single_file)
+        return compile_loaded(file, _print_progress, out=out, single_file=single_file)
 
 
-def _tell_notes(notices: Iterable[Diagnostic]) -> None:
+def _print_notes(notices: Iterable[Diagnostic]) -> None:
     for notice in notices:
         print(f"note: {notice}", file=sys.stderr)
 
 
 def _read(options: argparse.Namespace) -> tuple[RobotFiles, int]:
-    """The files, those that are refused told, and the exit code for these."""
+    """The files that can be read, and the exit code; prints why others are refused."""
     from dhgen.robot_files import load_all  # noqa: PLC0415
 
     files = load_all(options.files)
@@ -78,16 +78,16 @@ def write(options: argparse.Namespace) -> int:
         except DhgenError as error:
             print(error, file=sys.stderr)
             if isinstance(error, (ImmobileError, VerificationError)):
-                _tell_notes(file.robot.doubts)
+                _print_notes(file.robot.doubts)
             if isinstance(error, VerificationError):
                 whose = WHOSE_NOTED if file.robot.notices + file.robot.doubts else WHOSE
                 print(FAULT.format(whose=whose), file=sys.stderr)
             worst = max(worst, error.exit_code)
             left.append(file.path)
-    if left and len(files.paths) > 1:  # the reasons may stand far above
+    if left and len(files.paths) > 1:  # the reasons may be far above
         sys.stdout.flush()
-        told = ", ".join(map(str, left))
-        print(f"dhgen: nothing was written for {told}: see above", file=sys.stderr)
+        names = ", ".join(map(str, left))
+        print(f"dhgen: nothing was written for {names}: see above", file=sys.stderr)
     return worst
 
 
@@ -106,7 +106,9 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
         print("note: --numerical was not needed", file=sys.stderr)
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.story))
-    report = _written(compilation.files, lambda: verified(compilation, _tell), options.out)
+    report = _written(
+        compilation.files, lambda: verified(compilation, _print_progress), options.out
+    )
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses: {report.solutions} solutions, largest residual "
@@ -120,12 +122,12 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
 
 
 def _written(files: Mapping[str, str], verified: Callable[[], Verified], out: Path) -> Verified:
-    """What verification says of files, which are written once it has passed."""
+    """The report of verification on files, which are written once it has passed."""
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
     _refuse_occupied([out / name for name in files])
-    if not sys.stderr.isatty():  # where each stage is told
+    if not sys.stderr.isatty():  # where each stage is shown
         print("verifying what is to be written: this may take a minute ...", flush=True)
     report = verified()
     out.mkdir(parents=True, exist_ok=True)
@@ -140,13 +142,15 @@ def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
     from dhgen.parallel.compile import compile_parallel, verified_parallel  # noqa: PLC0415
     from dhgen.parallel.document import parallel_summary  # noqa: PLC0415
 
-    _tell_notes(file.robot.notices)
+    _print_notes(file.robot.notices)
     with about(file.path):
-        made = compile_parallel(file, _tell, out=options.out, single_file=options.single_file)
+        made = compile_parallel(
+            file, _print_progress, out=options.out, single_file=options.single_file
+        )
     print(f"{made.robot.name}: {made.robot.title}")
     print(parallel_summary(made.module))
     with about(file.path):
-        report = _written(made.files, lambda: verified_parallel(made, _tell), options.out)
+        report = _written(made.files, lambda: verified_parallel(made, _print_progress), options.out)
     compared = "Python and C agree" if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses of the platform: {report.modes} working modes, largest "
@@ -156,7 +160,7 @@ def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
     print(f"wrote {', '.join(str(options.out / name) for name in own)}\n")
 
 
-def _tell_untranslated(sentences: Iterable[str]) -> None:
+def _print_untranslated(sentences: Iterable[str]) -> None:
     for sentence in sentences:
         print(
             f"note: no French for this sentence, which stays English: {sentence}", file=sys.stderr
@@ -182,10 +186,10 @@ def check(options: argparse.Namespace) -> int:
 
     files, refused = _read(options)
     for file in files.loaded:
-        _tell_notes(file.robot.notices)
+        _print_notes(file.robot.notices)
     found = compare(files, options.out, _repeated(options), single_file=options.single_file)
-    for told in (*found.refusals, *found.problems):
-        print(told, file=sys.stderr)
+    for message in (*found.refusals, *found.problems):
+        print(message, file=sys.stderr)
     worst = max(refused, found.exit_code)
     if not worst:
         count = len(files.loaded)
@@ -194,14 +198,14 @@ def check(options: argparse.Namespace) -> int:
 
 
 def _repeated(options: argparse.Namespace) -> list[str]:
-    """What of a command another one has to say, too, to make the same files in the same place."""
+    """The options of a command that another one needs, too, to make its files in its place."""
     place = [] if options.out == OUT else ["--out", str(options.out)]
     words = {"--numerical": options.numerical, "--single-file": options.single_file}
-    return place + [word for word, said in words.items() if said]
+    return place + [word for word, wanted in words.items() if wanted]
 
 
 def _format(options: argparse.Namespace) -> str:
-    """The format of what is explained: as is said, else as the file's ending says.
+    """The format of what is explained: from the option, else from the file's ending.
 
     Raises:
         CommandError: It is something else than the derivation, which has no other format, or the
@@ -257,12 +261,12 @@ def explain(options: argparse.Namespace) -> int:
         _refuse_occupied([options.out])
     wished = _format(options)
     file = file.with_numerical() if options.numerical else file
-    _tell_notes(file.robot.notices)
+    _print_notes(file.robot.notices)
     if isinstance(file, ParallelFile):
         _finish(*_parallel_derivation(file, options, wished), options.out)
         return 0
     with about(file.path):
-        story = solved(file, _tell)
+        story = solved(file, _print_progress)
     for remark in task_remarks(story.derivation.problem.algebra.chain):
         print(f"note: {remark}", file=sys.stderr)
     beside: Mapping[str, str] = {}
@@ -273,7 +277,7 @@ def explain(options: argparse.Namespace) -> int:
     else:
         language = language_of(options.language)
         text, beside = derivation_as(wished, story, str(options.file), language)
-        _tell_untranslated(language.untranslated)
+        _print_untranslated(language.untranslated)
     _finish(text, beside, options.out)
     return 0
 
@@ -285,7 +289,7 @@ def _finish(text: str, beside: Mapping[str, str], out: Path | None) -> None:
     if out is None:
         print(text, end="")
     else:
-        _tell_written_over(out, text)
+        _print_replaced(out, text)
         write_files(out.parent, {out.name: text, **beside})
         documents = [out, *(out.parent / name for name in beside if not name.endswith(".svg"))]
         print(f"wrote {', '.join(map(str, documents))}")
@@ -302,12 +306,12 @@ def _parallel_derivation(
     if what := _other_than_derivation(options):
         raise CommandError(f"dhgen: {what} is for serial arms: {options.file} has legs")
     with about(file.path):
-        module, legs = parallel_stories(file, _tell)
+        module, legs = parallel_stories(file, _print_progress)
     language = language_of(options.language)
     if options.out is None and wished != FORMATS[0]:
         print("note: the derivations of the legs are written beside --out FILE", file=sys.stderr)
     made = derivations_as(wished, module, legs, options.out, language)
-    _tell_untranslated(language.untranslated)
+    _print_untranslated(language.untranslated)
     return made
 
 
@@ -319,7 +323,7 @@ def survey(options: argparse.Namespace) -> int:
     from dhgen.survey.survey import survey as lines_of  # noqa: PLC0415
     from dhgen.survey.table import survey_text  # noqa: PLC0415
 
-    lines = lines_of(options.paths, options.poses, options.recall, _tell)
+    lines = lines_of(options.paths, options.poses, options.recall, _print_progress)
     for remark in (remark for line in lines for remark in line.remarks):
         print(remark, file=sys.stderr)
     print(survey_text(lines), end="")
@@ -382,7 +386,7 @@ def calibrate(options: argparse.Namespace) -> int:
 def _write_robot_file(
     name: str, text: str, wished: Path | None, read: Sequence[Path]
 ) -> Path | None:
-    """Writes a robot file, and says so where it takes the place of another one.
+    """Writes a robot file, and reports where it replaces another one.
 
     Args:
         name: The robot's, which names the file where nobody wishes another name.
@@ -405,12 +409,12 @@ def _write_robot_file(
         raise CommandError(f"{message}, or name another file")
     _refuse_what_was_read(out, read)
     _refuse_occupied([out])
-    _tell_written_over(out, text)
+    _print_replaced(out, text)
     replace_files(out.parent, {out.name: text.encode()})
     return out
 
 
-def _tell_written_over(out: Path, text: str) -> None:
+def _print_replaced(out: Path, text: str) -> None:
     """Says where a file takes the place of another one."""
     if out.exists() and out.read_bytes() != text.encode():
         print(f"note: {out} was there and is written over", file=sys.stderr)

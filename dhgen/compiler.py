@@ -84,7 +84,7 @@ class Compilation:
 
 def compile_loaded(
     file: RobotFile,
-    tell: Callable[[str], None] = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
     *,
     out: Path | None = None,
     single_file: bool = False,
@@ -93,7 +93,7 @@ def compile_loaded(
 
     Args:
         file: The robot file, read.
-        tell: Is told what is being done, for progress.
+        progress: Called with what is being done.
         out: The folder that the files are for, where it is known.
         single_file: Whether C and Python hold what they need of the runtime.
 
@@ -101,7 +101,7 @@ def compile_loaded(
         UnsolvedError: No derivation solves the arm, or not with tables that come at run time.
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
-    story, module = worked_out(file, tell, out=out)
+    story, module = worked_out(file, progress, out=out)
     source = source_name(file.path, out)
     single = in_single_precision(story, file, source) if file.robot.float32 else None
     document = derivation_files(story, source)
@@ -111,19 +111,19 @@ def compile_loaded(
 
 
 def worked_out(
-    file: RobotFile, tell: Callable[[str], None] = lambda _: None, *, out: Path | None = None
+    file: RobotFile, progress: Callable[[str], None] = lambda _: None, *, out: Path | None = None
 ) -> tuple[Story, SolverModule]:
     """The derivation and the programs.
 
     Args:
         file: The robot file, read.
-        tell: Is told what is being done, for progress.
+        progress: Called with what is being done.
         out: The folder that files are for, where it is known.
 
     Raises:
         UnsolvedError: No derivation solves the arm.
     """
-    story = solved(file, tell)
+    story = solved(file, progress)
     return story, _module(file, story, story.program, source_name(file.path, out), DOUBLE)
 
 
@@ -186,13 +186,13 @@ def _demand_closed_form(derivation: Derivation) -> None:
         )
 
 
-def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: None) -> Report:
+def verified(compilation: Compilation, progress: Callable[[str], None] = lambda _: None) -> Report:
     """Writes the files to a passing folder and proves them there.
 
     Raises:
         VerificationError: They are not as promised.
     """
-    tell("verifying")
+    progress("verifying")
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         write_files(Path(folder), compilation.files)
         report = verify(compilation.module, Path(folder))
@@ -211,7 +211,7 @@ def verified(compilation: Compilation, tell: Callable[[str], None] = lambda _: N
 
 
 def source_name(path: Path, out: Path | None = None) -> str:
-    """How emitted files call their source, the same from everywhere.
+    """How emitted files call their source, wherever they are made.
 
     By its folder and name; by its name alone where it lies in the folder that the files are for, or
     above: that may be the project's, which has another name in every checkout.

@@ -1,4 +1,4 @@
-"""What dhgen says when it refuses: one exception family, one way to point into a file."""
+"""The exceptions of dhgen, with one way to point into a file."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class RobotFileError(DhgenError):
 
     Attributes:
         diagnostics: The mistakes.
-        notes: What is told of the values that they are about.
+        notes: Remarks on the values that they are about.
     """
 
     exit_code = 2
@@ -76,13 +76,13 @@ class RobotFileError(DhgenError):
 
 
 class CommandError(DhgenError):
-    """A mistake on the command line that only the file system knows of."""
+    """A mistake on the command line that only the file system shows."""
 
     exit_code = 2
 
 
 class UnsolvedError(DhgenError):
-    """No order of equations solves the robot; the message says which way failed where."""
+    """No order of equations solves the robot; the message names which way failed where."""
 
 
 class PrecisionError(DhgenError):
@@ -105,7 +105,7 @@ class VerificationError(DhgenError):
 
 @contextmanager
 def about(file: Path) -> Iterator[None]:
-    """Puts a file's name before what is said of the arm in it."""
+    """Puts a file's name before a message on the arm in it."""
     try:
         yield
     except (UnsolvedError, PrecisionError, ImmobileError) as error:

@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 SUFFIXES = (".py", ".c", ".h", ".md")
-HEAD = 1000  # characters of a file in which it says where it comes from
+HEAD = 1000  # characters of a file that hold its origin
 _SOURCE = re.compile(
     r"generated from (?:([^/]+)/)?[^/]+\.(?:ya?ml|urdf|xacro|xml|mjcf) and templates/",
     re.IGNORECASE,
@@ -23,7 +23,7 @@ _ROBOT = re.compile(
 
 
 def is_generated(path: Path) -> bool:
-    """Whether a file says that it is."""
+    """Whether a file's header marks it as generated."""
     return _MADE.search(_head(path)) is not None
 
 
@@ -49,6 +49,6 @@ def source_of(path: Path) -> str | None:
 
 
 def _head(path: Path) -> str:
-    """Where a generated file says where it comes from, in one line."""
+    """The part of a generated file that names its origin, in one line."""
     head = path.read_text(encoding="utf-8", errors="replace")[:HEAD]
     return " ".join(word for word in head.split() if word != "*")

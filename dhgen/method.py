@@ -1,4 +1,4 @@
-"""How an arm is solved, and what that is called wherever it is told."""
+"""How an arm is solved, and the name of that in all texts."""
 
 from __future__ import annotations
 

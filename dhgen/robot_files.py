@@ -55,7 +55,7 @@ class RobotFile:
 
         Args:
             path: The file.
-            wishes: What is said of an import.
+            wishes: The options of an import.
             outside: What a xacro needs.
 
         Raises:
@@ -76,7 +76,7 @@ class RobotFile:
         return _digest(self.text)
 
     def with_numerical(self) -> RobotFile:
-        """The same as if the file said `numerical: true`."""
+        """The robot as if the file had `numerical: true`."""
         return replace(self, robot=replace(self.robot, numerical=True))
 
     @property
@@ -109,11 +109,11 @@ class ParallelFile:
 
     @property
     def chains(self) -> tuple[RobotFile, ...]:
-        """A robot file of each kind of leg, as if it stood alone; they have the whole's text."""
+        """A robot file of each kind of leg, as if it were a robot; they have the whole's text."""
         return tuple(RobotFile(self.path, chain, self.text) for chain in self.robot.chains)
 
     def with_numerical(self) -> ParallelFile:
-        """The same with legs that the numerical solver may take."""
+        """The robot with legs that the numerical solver may take."""
         return replace(self, robot=self.robot.with_numerical())
 
     @property
@@ -130,7 +130,7 @@ def read_file(path: Path, wishes: Wishes = AS_USUAL, outside: Outside = NOTHING_
 
     Args:
         path: The file.
-        wishes: What is said of an import.
+        wishes: The options of an import.
         outside: What a xacro needs.
 
     Raises:
@@ -190,7 +190,7 @@ def load_all(paths: Iterable[Path]) -> RobotFiles:
 
 
 def led_to(path: Path) -> Path:
-    """Where a path leads, links followed; Path.resolve stops at those that lead in a circle."""
+    """The target of a path, links followed; Path.resolve stops at circles of links."""
     return Path(os.path.realpath(path))
 
 

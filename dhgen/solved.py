@@ -23,24 +23,24 @@ if TYPE_CHECKING:
     from dhgen.robot_files import RobotFile
 
 
-def solved(file: RobotFile, tell: Callable[[str], None] = lambda _: None) -> Story:
+def solved(file: RobotFile, progress: Callable[[str], None] = lambda _: None) -> Story:
     """The arm of a robot file, derived, with the program that solves it in double precision.
 
     Args:
         file: The robot file, read.
-        tell: Is told what is being done, for progress.
+        progress: Called with what is being done.
 
     Raises:
         UnsolvedError: No derivation solves the arm.
     """
     robot = file.robot
-    tell("deriving")
+    progress("deriving")
     chain = build_chain(robot)
     try:
         derivation = derive(chain, numerical=robot.numerical, steps=robot.steps)
     except UnsolvedError as error:
         raise UnsolvedError("\n".join((str(error), *other_convention(robot)))) from error
-    tell("writing programs")
+    progress("writing programs")
     solver = replace(lower(derivation, reserved=RESERVED), name=robot.name)
     if derivation.whole is None or robot.plain:
         return Story(robot, derivation, solver, None)

@@ -1,4 +1,4 @@
-"""What a solver says of each row: the numbers that callers see."""
+"""The status of each row: the numbers that callers see."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from enum import IntEnum
 
 
 class Status(IntEnum):
-    """What stands in a row, and why."""
+    """What a row holds, and why."""
 
     OK = 0
     UNREACHABLE = 1

@@ -1,8 +1,8 @@
 """What generated code takes for rounding, in each arithmetic, with the reason.
 
-What one method alone decides by stands with it: in `dhgen/general`, in `dhgen/numerical`, and in
-`dhgen/targets` for families of solutions and for what stands on a limit. So does what the compiler
-itself takes for zero where it looks at numbers.
+A tolerance of one method alone is in its module: in `dhgen/general`, in `dhgen/numerical`, and in
+`dhgen/targets` for families of solutions and for joints on a limit. So is what the compiler itself
+takes for zero where it looks at numbers.
 
 Lengths are relative to the size of the arm; rounding in a pose is a few 1e-16 of it, after the
 products of a derivation a few 1e-15. In single precision it is a few 1e-8 and a few 1e-7.
@@ -27,18 +27,18 @@ class Tolerances:
             what it fixes, digits are lost to 1e-11 rad at worst, and few random poses are.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
-        led: The same where rows are tightened: an angle before the boundary may be good to few
-            digits, and steps tell what is a solution. It lets the arm be as far out of reach.
+        led: `reach` where rows are tightened: an angle before the boundary may be good to few
+        digits, and steps decide what is a solution. It lets the arm be as far out of reach.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
-        blur: The same where an angle before them is good to few digits only.
+        blur: `merge` where an angle before them is good to few digits only.
         brink: Nearer to it than this a pose is singular to fast code, and farther where an angle
             before is good to few digits. Rounding over the root of
             this is far below what a joint may miss its limit by.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.
-        rotation: The same, up to which it is replaced by the nearest rotation: a pose in single
-            precision, or rounded to six digits. Beyond it the pose is invalid.
+        rotation: The sum of squares up to which it is replaced by the nearest rotation: a pose in
+            single precision, or rounded to six digits. Beyond it the pose is invalid.
         steep: Of the tool's x axis, the length of what is seen from above, below which it has no
             yaw there: as much as a pose of six digits rounds it by.
         consistent: A pose that has more entries than the arm has joints may miss by this: it
@@ -58,12 +58,12 @@ class Tolerances:
         overshoot: Fast code may be wrong by this where an arm is nearly singular twice over: the
             direction to a wrist centre just farther than `regular` from an axis is taken from an
             elbow just farther than `brink` from stretched. A joint that is beyond a limit by no
-            more may stand on it: the pose is left.
+            more may be on it: the pose is left.
         clamped: A joint that comes out a little beyond a limit is clamped to it if the pose is
-            missed by so much more at most. Not above `merge`: where two branches are told apart,
-            the one beyond the limit must not be taken for the other.
-        told: From where two branches meet to where both are told, their joint values are farther
-            apart: they grow with the root of `merge` [rad or length].
+            missed by so much more at most. Not above `merge`: where two branches are distinct, the
+            one beyond the limit must not be taken for the other.
+        distinct: Two rows closer than this are one solution [rad or length]. About the square root
+        of `merge`, because merging branches separate like a square root.
         far: An angle of the seed that is not below this has no copy of another near to it that
             keeps its digits: it is not moved there.
         polished: A candidate that was polished on the whole pose is a solution if it misses that
@@ -97,7 +97,7 @@ class Tolerances:
     limit: float = 1e-9
     overshoot: float = 1e-6
     clamped: float = 1e-14
-    told: float = 1e-6
+    distinct: float = 1e-6
     far: float = 1e5
     polished: float = 1e-10
     fine: float = 1e-26
@@ -105,8 +105,8 @@ class Tolerances:
     simple: float = 1e-4
 
     @property
-    def tell_rounding(self) -> bool:
-        """Whether the arithmetic is fine enough to tell a pose that was rounded."""
+    def is_finer_than_poses(self) -> bool:
+        """Whether the arithmetic is finer than a rounded pose, so that one can be recognized."""
         return self.exact < self.consistent
 
     @property
@@ -138,7 +138,7 @@ DOUBLE = Precision("double precision", "", TOLERANCES)
 # As above with the rounding of a float, 5e8 times as coarse. The margins are narrower, or nothing
 # would be left between them: a direction taken from a vector just longer than `free` is good to
 # 1e-2 rad. What a user may have rounded (rotation, consistent) does not depend on the arithmetic.
-# A wrist with oblique twists multiplies the rounding of a pose by 20 before its reach is told.
+# A wrist with oblique twists multiplies the rounding of a pose by 20 before its reach is decided.
 SINGLE = Precision(
     "single precision",
     "_f32",
@@ -156,7 +156,7 @@ SINGLE = Precision(
         overshoot=1e-2,
         clamped=1e-6,
         fine=1e-10,
-        told=3e-3,
+        distinct=3e-3,
         far=1e2,
     ),
 )

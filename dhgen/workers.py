@@ -28,8 +28,8 @@ SELDOM = (100_000, 50, 100)  # in place of 700, 10 and 10
 def interrupts_repeated() -> Iterator[None]:
     """Repeats a KeyboardInterrupt that is lost, until it comes where errors are passed on.
 
-    Where C calls Python they are not: they are told and forgotten. LLVM calls whenever it has made
-    code. numba misses the code then, or goes on without a word.
+    Where C calls Python they are not: they are printed and forgotten. LLVM calls whenever it has
+    made code. numba misses the code then, or goes on silently.
 
     Raises:
         KeyboardInterrupt: Also in place of errors after one that was lost: they may come from that.
@@ -79,8 +79,8 @@ def collect_seldom() -> None:
 def reckon_alone() -> None:
     """Has NumPy begin no threads for its matrices, in a process that is the command's own.
 
-    They are small here: threads would wait, busily, for work that never comes. It says so before
-    NumPy is loaded, and to the workers, which are as many as there are cores.
+    They are small here: threads would wait, busily, for work that never comes. It is set before
+    NumPy is loaded, and for the workers, which are as many as there are cores.
     """
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
@@ -113,7 +113,7 @@ def side_by_side(make: Callable[[Item], Made], items: Sequence[Item]) -> Iterato
 def _begin(folder: str) -> None:
     """Lets a worker end at once and without a word; what it leaves behind is in the folder.
 
-    Ctrl-C waits until then: amid Python's own beginning of a process it would be told at length.
+    Ctrl-C waits until then: while Python starts a process it would be reported at length.
     """
     collect_seldom()
     Thread(target=_end_with_parent, args=(folder,), daemon=True).start()

@@ -233,7 +233,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0 }, 0.6802721088435373, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, abb_gofa_5_fk, abb_gofa_5_jacobian, solve,
     NULL,
 };

@@ -94,7 +94,7 @@ _LINKS = _joints.Arm(
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
     miss_weights=(0.6803, 0.6803, 0.6803, 1.0, 1.0, 1.0), size=1.4700000000000002,
-    clamped_again=1e-10, steps=("clamps", "winds"),
+    clamped_again=1e-10, steps=("clamps", "range exceeds a turn"),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].

@@ -95,7 +95,8 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.996, 0.996, 0.996, 1.0, 1.0, 1.0), size=1.0040000000000002,
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(3, 1, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -357,7 +358,7 @@ def _formulas(kept, turns, rows, w):
         v34 = c4_mp * v30 - v16 * (s23_mp * T33 - c23_mp * v31)
         v35 = c4_mm * v30 - v16 * (s23_mm * T33 - c23_mm * v31)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D3) <= m2 or v1 <= m1 or v25 <= m9 or v24 <= m9 or v22 <= m9 or v23 <= m9
             else kept[16 * w + k]
@@ -454,7 +455,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

@@ -487,7 +487,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0 }, 0.49962528103922055, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb1600_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb1600_fk,
     abb_irb1600_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -501,7 +501,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.4175, 0.4175, 0.4175, 1.0, 1.0, 1.0 }, 0.4175365344467641, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb2400_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb2400_fk,
     abb_irb2400_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

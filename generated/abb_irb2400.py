@@ -100,7 +100,8 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.4175, 0.4175, 0.4175, 1.0, 1.0, 1.0), size=2.395,
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(3, 1, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -368,7 +369,7 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v42 = w3_p * (m4 * v3)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v31 <= m10 or v30 <= m10 or v29 <= m10 or v28 <= m10 or abs(D3_m) <= m3 or v1 <=
             m1 or abs(D3_p) <= m3 else kept[16 * w + k]
@@ -460,7 +461,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

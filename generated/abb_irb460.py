@@ -88,7 +88,8 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="yaw",
     miss_weights=(0.2904, 0.2904, 0.2904, 0.0, 0.0, 1.0), size=3.444,
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(3, 1, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -293,7 +294,7 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v15 = w3_p * (m5 * v2)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v1 <= m2 or T11 * T11 + T21 * T21 <= m1 or abs(D3_p) <= m4 or abs(D3_m) <= m4
             else kept[16 * w + k]
@@ -348,7 +349,7 @@ def _formulas(kept, turns, rows, w):
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

@@ -516,7 +516,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.2521, 0.2521, 0.2521, 1.0, 1.0, 1.0 }, 0.25207965717166625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb6640_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb6640_fk,
     abb_irb6640_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

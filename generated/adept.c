@@ -229,7 +229,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.0004167, 0.0004167, 0.0004167, 1.0, 1.0, 1.0 }, 0.0004166666666666667, { 1e-14, 1e-14 },
         entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     1, /* follows seed */ NULL, NULL, NULL, NULL, adept_fk, adept_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -269,7 +269,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.013, 1.013, 1.013, 1.0, 1.0, 1.0 }, 1.0131712259371835, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, adept_cobra600_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, adept_cobra600_fk,
     adept_cobra600_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

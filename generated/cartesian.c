@@ -142,7 +142,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0 }, 0.8333333333333334, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, cartesian_fk, cartesian_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -543,8 +543,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0 }, 0.36416605972323385, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, comau_ns16_fk, comau_ns16_jacobian,
-    solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, comau_ns16_fk,
+    comau_ns16_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

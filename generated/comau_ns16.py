@@ -110,7 +110,15 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0), size=2.7459999999999996,
-    steps=("keeps limits", "merges", "refines", "clamps", "clamps far", "winds", "follows seed"),
+    steps=(
+        "keeps limits",
+        "merges",
+        "refines",
+        "clamps",
+        "clamps far",
+        "range exceeds a turn",
+        "follows seed",
+    ),
     choosable=(3, 1, 0),
 ))
 
@@ -390,7 +398,7 @@ def _formulas(kept, turns, rows, w):
         v41, v44, v45 = w3_p * v10, w3_m * (m3 * v3), w3_m * v10
         v52, v53 = math.copysign(half_turn, Y4_p), math.copysign(half_turn, Y4_m)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <=
             m9 or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2 else kept[16 * w + k]
@@ -499,7 +507,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

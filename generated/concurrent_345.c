@@ -393,8 +393,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5405, 0.5405, 0.5405, 1.0, 1.0, 1.0 }, 0.5405405405405406, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 4, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    concurrent_345_fk, concurrent_345_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, concurrent_345_fk, concurrent_345_jacobian, solve,
     NULL,
 };
 

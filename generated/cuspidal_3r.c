@@ -183,8 +183,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.1818, 0.1818, 0.1818, 0.0, 0.0, 0.0 }, 0.18181818181818182, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, cuspidal_3r_fk, cuspidal_3r_jacobian, solve,
     NULL,
 };
 

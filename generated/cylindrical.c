@@ -191,7 +191,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     3, 1, 0, DHGEN_POSE, joints, NULL, 0,
     { 3.333, 3.333, 3.333, 1.0, 1.0, 1.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     1, /* follows seed */ NULL, NULL, NULL, NULL, cylindrical_fk, cylindrical_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

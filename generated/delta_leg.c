@@ -283,8 +283,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5656, 0.5656, 0.5656, 0.0, 0.0, 0.0 }, 0.5656108597285068, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, delta_leg_fk, delta_leg_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, delta_leg_fk,
+    delta_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

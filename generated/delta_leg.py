@@ -212,7 +212,7 @@ def _formulas(kept, turns, rows, w):
         s3 = k2 * (rod * T34)
         v11 = math.copysign(half_turn, s3)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D1) <= m1 * (merge_slack2 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared4 or
             v9 <= m3 or v10 <= m3 else kept[16 * w + k]
@@ -257,7 +257,7 @@ def _formulas(kept, turns, rows, w):
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

@@ -493,7 +493,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.9709, 0.9709, 0.9709, 1.0, 1.0, 1.0 }, 0.970873786407767, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, denso_vs060_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, denso_vs060_fk,
     denso_vs060_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

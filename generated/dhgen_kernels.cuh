@@ -238,7 +238,7 @@ __device__ inline int dhgen_nearest_lane(
         for (int j = 0; j < DHGEN_DOF; j++) {
             const double value = found[DHGEN_DOF * row + j], low = arm.joints[j].lowest;
             const double end = fmin(arm.joints[j].highest - seed[j], seed[j] - low);
-            if (arm.winds && kind[row] == DHGEN_OK && end < DHGEN_BESIDE_SEED) {
+            if (arm.range_exceeds_a_turn && kind[row] == DHGEN_OK && end < DHGEN_BESIDE_SEED) {
                 const double there = dhgen_at_an_end(&arm, j, value, seed[j]);
                 sure &= dhgen_past_an_end(&arm, j, there) == 0.0;
             }

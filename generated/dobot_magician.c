@@ -301,7 +301,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, dobot_magician_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, dobot_magician_fk,
     dobot_magician_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -235,7 +235,7 @@ def _formulas(kept, turns, rows, w):
         v10, v11, v12 = v6 + v8, v7 + v8, v6 + v9
         v13, v14, v15 = v7 + v9, S2_pp * S2_pp, S2_pm * S2_pm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or
             v14 + v10 * v10 <= m6 or v15 + v11 * v11 <= m6 else kept[16 * w + k]
@@ -287,7 +287,7 @@ def _formulas(kept, turns, rows, w):
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

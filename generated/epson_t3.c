@@ -270,8 +270,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 2.5, 2.5, 2.5, 1.0, 1.0, 1.0 }, 2.5, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, epson_t3_fk, epson_t3_jacobian,
-    solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, epson_t3_fk,
+    epson_t3_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

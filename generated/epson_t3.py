@@ -78,7 +78,8 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     miss_weights=(2.5, 2.5, 2.5, 1.0, 1.0, 1.0), size=0.4, slacks=(1e-09, 1e-09, 4e-10, 1e-09),
     weights=(1.0, 1.0, 6.249999999999999, 1.0), paces=(1.0, 1.0, 0.4, 1.0),
     fan_steps=(0.09817477042468103, 0.09817477042468103, 0.0046875, 0.09817477042468103),
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(0,),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -222,7 +223,7 @@ def _formulas(kept, turns, rows, w):
         # joint values
         q3_p = w2 - w2 + T34
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7 else
             kept[16 * w + k]
@@ -250,7 +251,7 @@ def _formulas(kept, turns, rows, w):
         excess_p, excess_m = max(v10, abs(angle3) - high1), max(v10, abs(angle4) - high1)
         outside_p, outside_m = 0.0 < excess_p, 0.0 < excess_m
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
             + k]

@@ -518,8 +518,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, fanuc_lrmate200id_fk,
-    fanuc_lrmate200id_jacobian, solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
+    fanuc_lrmate200id_fk, fanuc_lrmate200id_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

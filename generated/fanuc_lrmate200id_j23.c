@@ -272,7 +272,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
     fanuc_lrmate200id_j23_fk, fanuc_lrmate200id_j23_jacobian, solve,
     NULL,
 };

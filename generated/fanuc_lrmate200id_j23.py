@@ -98,7 +98,8 @@ _COUPLING = _coupled.coupling_numbers(
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0), size=1.1600000000000001,
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(3, 1, 0),
 ), coupling=_COUPLING)
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].

@@ -518,7 +518,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.3394, 0.3394, 0.3394, 1.0, 1.0, 1.0 }, 0.3394433129667346, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, fanuc_m710ic50_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, fanuc_m710ic50_fk,
     fanuc_m710ic50_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

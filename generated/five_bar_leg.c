@@ -205,7 +205,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 2.0, 2.0, 0.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, five_bar_leg_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, five_bar_leg_fk,
     five_bar_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

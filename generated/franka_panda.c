@@ -504,7 +504,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7179, 0.7179, 0.7179, 1.0, 1.0, 1.0 }, 0.7178750897343862, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, franka_panda_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, franka_panda_fk,
     franka_panda_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -475,7 +475,7 @@ def _formulas(kept, turns, rows, w):
         v137 = given1 + (w4 - w4)
         q7_ppp, q7_mpp = v18 + v137, v19 + v137
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10
             or v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or
@@ -595,7 +595,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

@@ -235,7 +235,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 4.545, 4.545, 4.545, 1.0, 1.0, 1.0 }, 4.545454545454546, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, gantry_wrist_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, gantry_wrist_fk,
     gantry_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

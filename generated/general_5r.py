@@ -118,7 +118,7 @@ _LINKS = _joints.Arm(
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
     miss_weights=(0.5682, 0.5682, 0.5682, 1.0, 1.0, 1.0), size=1.7600000000000002,
-    clamped_again=1e-10, steps=("clamps", "winds"),
+    clamped_again=1e-10, steps=("clamps", "range exceeds a turn"),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].

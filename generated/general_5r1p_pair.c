@@ -418,7 +418,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5546, 0.5546, 0.5546, 1.0, 1.0, 1.0 }, 0.5546311702717693, { 1e-14, 1e-10 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, general_5r1p_pair_fk, general_5r1p_pair_jacobian,
     solve,
     NULL,

@@ -276,7 +276,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     5, 16, 0, DHGEN_POINTING, joints, NULL, 0,
     { 0.565, 0.565, 0.565, 1.0, 1.0, 1.0 }, 0.5649717514124294, { 1e-14, 1e-10 }, entries, 6,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, general_5r_pointing_fk,
     general_5r_pointing_jacobian, solve,
     NULL,

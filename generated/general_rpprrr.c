@@ -266,7 +266,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6944, 0.6944, 0.6944, 1.0, 1.0, 1.0 }, 0.6944444444444444, { 1e-14, 1e-10 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, general_rpprrr_fk, general_rpprrr_jacobian, solve,
     NULL,
 };

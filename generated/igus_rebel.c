@@ -469,8 +469,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.115, 1.115, 1.115, 1.0, 1.0, 1.0 }, 1.1145786892554612, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, igus_rebel_fk, igus_rebel_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, igus_rebel_fk,
+    igus_rebel_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

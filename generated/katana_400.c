@@ -449,8 +449,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.475, 1.475, 1.475, 1.0, 1.0, 1.0 }, 1.475361463558572, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, katana_400_fk, katana_400_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, katana_400_fk,
+    katana_400_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -514,7 +514,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 }, 0.8561643835616439, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kawasaki_rs007n_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kawasaki_rs007n_fk,
     kawasaki_rs007n_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

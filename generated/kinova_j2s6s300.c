@@ -555,7 +555,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0 }, 0.7853608733212912, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kinova_j2s6s300_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kinova_j2s6s300_fk,
     kinova_j2s6s300_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

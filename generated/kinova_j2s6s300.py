@@ -100,7 +100,15 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0), size=1.2732999999999999,
-    steps=("keeps limits", "merges", "refines", "clamps", "clamps far", "winds", "follows seed"),
+    steps=(
+        "keeps limits",
+        "merges",
+        "refines",
+        "clamps",
+        "clamps far",
+        "range exceeds a turn",
+        "follows seed",
+    ),
     choosable=(3, 1, 0),
 ))
 
@@ -381,7 +389,7 @@ def _formulas(kept, turns, rows, w):
         s6_mp = v36 * (v29 * v53 + s2m3_mp * T31) - X4_mp * v51
         s6_mm = v36 * (v30 * v53 + s2m3_mm * T31) - X4_mm * v51
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
             abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5 else kept[16 * w + k]
@@ -516,7 +524,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

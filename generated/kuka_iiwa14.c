@@ -507,7 +507,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_iiwa14_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_iiwa14_fk,
     kuka_iiwa14_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -512,7 +512,7 @@ def _formulas(kept, turns, rows, w):
         v101, v102, q3_ppp = abs(q4__p) - high4, abs(q4__m) - high4, v6 + (given1 + (w4 - w4))
         q4_ppp, q4_mpp = v6 + q4__p, v6 + q4__m
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
             (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4 or
@@ -703,7 +703,7 @@ def _formulas(kept, turns, rows, w):
         outside_pmm, outside_mpp, outside_mpm = 0.0 < excess_pmm, 0.0 < excess_mpp, 0.0 < excess_mpm
         outside_mmp, outside_mmm = 0.0 < excess_mmp, 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

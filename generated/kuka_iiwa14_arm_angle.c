@@ -623,8 +623,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7657, 0.7657, 0.7657, 1.0, 1.0, 1.0 }, 0.7656967840735068, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 0, /* follows seed */ NULL, NULL, NULL, NULL, kuka_iiwa14_arm_angle_fk,
-    kuka_iiwa14_arm_angle_jacobian, solve,
+    0, /* range exceeds a turn */ 0, /* follows seed */ NULL, NULL, NULL, NULL,
+    kuka_iiwa14_arm_angle_fk, kuka_iiwa14_arm_angle_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -517,7 +517,7 @@ def _formulas(kept, turns, rows, w):
         q4_mpp = (turn if -v86 <= -half_turn else 0.0) - v86
         v91, v92 = abs(q4_ppp) - high4, abs(q4_mpp) - high4
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else kept[17 *
             w + k]

@@ -446,8 +446,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.2377, 0.2377, 0.2377, 1.0, 1.0, 1.0 }, 0.23769907297361542, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_kr210_fk, kuka_kr210_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_kr210_fk,
+    kuka_kr210_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

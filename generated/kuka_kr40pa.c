@@ -384,8 +384,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.4545, 0.4545, 0.4545, 1.0, 1.0, 1.0 }, 0.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, kuka_kr40pa_fk, kuka_kr40pa_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

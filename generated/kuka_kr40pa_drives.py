@@ -228,7 +228,7 @@ def _formulas(kept, turns, rows, w):
         v8, v9, v10 = m4 * -Z1_3, m4 * (v2 * N3_p), m4 * (v3 * N3_m)
         v11 = w3_p * (m4 * v2)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if N3_m <= doubt_limit_squared2 or abs(D3_m) <= m3 or N3_p <= doubt_limit_squared2
             or v1 <= m1 or abs(D3_p) <= m3 else kept[16 * w + k]
@@ -281,7 +281,7 @@ def _formulas(kept, turns, rows, w):
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

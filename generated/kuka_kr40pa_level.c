@@ -363,8 +363,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0 }, 0.341296928327645, { 1e-14, 1e-14 }, entries, 5,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_kr40pa_level_fk,
-    kuka_kr40pa_level_jacobian, solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
+    kuka_kr40pa_level_fk, kuka_kr40pa_level_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

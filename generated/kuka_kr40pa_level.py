@@ -88,7 +88,8 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="yaw",
     miss_weights=(0.3413, 0.3413, 0.3413, 0.0, 0.0, 1.0), size=2.93,
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(3, 1, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -283,7 +284,7 @@ def _formulas(kept, turns, rows, w):
         v10, v11, v12 = m4 * -Z1_3, m4 * (v2 * N3_p), m4 * (v3 * N3_m)
         v13 = w3_p * (m4 * v2)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if N3_m <= doubt_limit_squared2 or abs(D3_m) <= m3 or N3_p <= doubt_limit_squared2
             or T11 * T11 + T21 * T21 <= m1 or v1 <= m2 or abs(D3_p) <= m3 else kept[16 * w + k]
@@ -327,7 +328,7 @@ def _formulas(kept, turns, rows, w):
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

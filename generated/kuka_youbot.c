@@ -473,7 +473,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.455, 1.455, 1.455, 1.0, 1.0, 1.0 }, 1.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_youbot_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_youbot_fk,
     kuka_youbot_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -360,8 +360,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 4, NULL, 0, 52, 1, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    parallel_123_fk, parallel_123_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, parallel_123_fk, parallel_123_jacobian, solve,
     NULL,
 };
 

@@ -180,8 +180,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.625, 0.625, 0.0, 0.0, 0.0, 0.0 }, 0.625, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, parallel_3rpr_leg_fk,
-    parallel_3rpr_leg_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
+    parallel_3rpr_leg_fk, parallel_3rpr_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

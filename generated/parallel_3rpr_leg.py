@@ -137,7 +137,7 @@ def _formulas(kept, turns, rows, w):
         excess_m, outside_p = per_size * max(low2 + q2_p, -(high2 + q2_p)), 0.0 < excess_p
         outside_m = 0.0 < excess_m
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
         kept[16 * w + k] = (
             1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w

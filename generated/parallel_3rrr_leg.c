@@ -205,8 +205,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.429, 1.429, 0.0, 0.0, 0.0, 0.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, parallel_3rrr_leg_fk,
-    parallel_3rrr_leg_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
+    parallel_3rrr_leg_fk, parallel_3rrr_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -181,7 +181,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 3.333, 3.333, 0.0, 0.0, 0.0, 0.0 }, 3.3333333333333335, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     1, /* follows seed */ NULL, NULL, NULL, NULL, planar_pr_fk, planar_pr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

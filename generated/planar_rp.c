@@ -186,8 +186,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-14 }, entries, 2,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rp_fk, planar_rp_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rp_fk,
+    planar_rp_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -127,7 +127,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     4, 1, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 1.0, 1.0, 0.0, 0.0, 0.0, 0.0 }, 1.0, { 1e-14, 1e-10 }, entries, 2,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, planar_rrrr_fk, planar_rrrr_jacobian, solve,
     NULL,
 };

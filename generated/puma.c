@@ -442,7 +442,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_fk, puma_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_fk,
+    puma_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

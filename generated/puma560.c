@@ -462,8 +462,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_fk, puma560_jacobian,
-    solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_fk,
+    puma560_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -94,7 +94,15 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.5862, 0.5862, 0.5862, 1.0, 1.0, 1.0), size=1.70578,
-    steps=("keeps limits", "merges", "refines", "clamps", "clamps far", "winds", "follows seed"),
+    steps=(
+        "keeps limits",
+        "merges",
+        "refines",
+        "clamps",
+        "clamps far",
+        "range exceeds a turn",
+        "follows seed",
+    ),
     choosable=(3, 1, 0),
 ))
 
@@ -340,7 +348,7 @@ def _formulas(kept, turns, rows, w):
         v42 = v21 * (c23_mp * v41 + s23_mp * T31) - c4_mp * v39
         v43 = v21 * (c23_mm * v41 + s23_mm * T31) - c4_mm * v39
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9
             or v29 <= m9 else kept[16 * w + k]
@@ -424,7 +432,7 @@ def _formulas(kept, turns, rows, w):
         outside_ppp, outside_pmp, outside_mpp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mmp = 0.0 < excess_mm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

@@ -218,17 +218,17 @@ struct dhgen_arm {
     int entry_count;
 
     /* What the solver's rows need. */
-    int slides;                    /* joints slide: also squares of lengths have to be finite */
-    int retries, checks;           /* other values of free joints may reach; may meet the pose */
-    int keeps_limits;              /* other values of free joints may keep limits */
-    const int *choosable;          /* joints that may be free, from 0, the last first */
-    int choosable_count;           /* how many */
-    const int *together;           /* joints that may have to be chosen together, from 0 */
-    int together_count;            /* how many */
-    int cuts;                      /* of an interval by golden section */
-    int merges, refines;           /* branches that meet may come out apart; rows need refining */
-    int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
-    int follows_seed;              /* where solutions differ by less than rounding */
+    int slides;           /* joints slide: also squares of lengths have to be finite */
+    int retries, checks;  /* other values of free joints may reach; may meet the pose */
+    int keeps_limits;     /* other values of free joints may keep limits */
+    const int *choosable; /* joints that may be free, from 0, the last first */
+    int choosable_count;  /* how many */
+    const int *together;  /* joints that may have to be chosen together, from 0 */
+    int together_count;   /* how many */
+    int cuts;             /* of an interval by golden section */
+    int merges, refines;  /* branches that meet may come out apart; rows need refining */
+    int clamps, clamps_far, range_exceeds_a_turn; /* onto limits; from far away */
+    int follows_seed;                             /* where solutions differ by less than rounding */
 
     /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
      * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply
@@ -404,7 +404,7 @@ DHGEN_SMALL float dhgen_past_an_end(const struct dhgen_arm *arm, int joint, floa
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const float low = of->lowest, high = of->highest;
-    if (!arm->winds || high - low < DHGEN_NEARLY_A_TURN)
+    if (!arm->range_exceeds_a_turn || high - low < DHGEN_NEARLY_A_TURN)
         return dhgen_overshoot(arm, joint, value);
     const float off = value - fminf(fmaxf(value, low), high);
     return fabsf(off) <= 0.5f * of->slack ? 0.0f : off;
@@ -664,7 +664,7 @@ DHGEN_FN int dhgen_refine_inside(
     float x[DHGEN_JOINTS], e[6];
     if (dhgen_refine(arm, T, -more, most, q))
         return 1;
-    if (!arm->winds)
+    if (!arm->range_exceeds_a_turn)
         return 0;
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)
@@ -764,8 +764,8 @@ DHGEN_FN void dhgen_remove_duplicates(
  * less than rounding, the arm may as well go on with the seed's. */
 
 
-/* Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
- * then rounding, and differs between languages. The first row is taken. */
+/* Misses half way to two rows whose ratio is below this are equal but for rounding, which differs
+ * between languages. The first row is taken. */
 #define DHGEN_ALIKE 2.0f
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
@@ -775,7 +775,8 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
 {
     for (int i = 0; i < dhgen_dof(arm); i++) {
         float here = seed[i];
-        if (arm->winds && !(fabsf(dhgen_past_an_end(arm, i, here)) <= DHGEN_BESIDE_SEED))
+        if (arm->range_exceeds_a_turn
+            && !(fabsf(dhgen_past_an_end(arm, i, here)) <= DHGEN_BESIDE_SEED))
             here = dhgen_turned(arm, i, here, here);
         x[i] = arm->clamps ? here - dhgen_past_an_end(arm, i, here) : here;
     }
@@ -788,8 +789,7 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const float *T,
         && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
-/* Gives the solution next to the seed a row where solutions differ by less than rounding: its own,
- * one as good, one left, or any. */
+/* Gives the solution next to the seed a row: its own, one as good, one left, or any. */
 DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const float *T,
     const float *free_joints, const float *seed, float *q, unsigned char *status)
 {
@@ -1286,7 +1286,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const float *T,
         arm->complete(arm, T, free_joints, seed, begun, q, status);
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
-    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
+    for (int row = 0; row < dhgen_rows(arm) && arm->range_exceeds_a_turn; row++)
         for (int i = 0; i < dhgen_dof(arm); i++) {
             float *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
@@ -1396,7 +1396,8 @@ DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const float *T,
         found[i] = DHGEN_NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    if (valid && arm->winds && arm->regular && dhgen_turned_away(arm, q_seed, rows, status))
+    if (valid && arm->range_exceeds_a_turn && arm->regular
+        && dhgen_turned_away(arm, q_seed, rows, status))
         (void)dhgen_careful_ik(arm, T, free_joints, q_seed, rows, status);
     for (int row = 0; row < dhgen_rows(arm) && valid; row++) {
         float *const values = rows + dhgen_dof(arm) * row;
@@ -2261,7 +2262,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f }, 0.5862421f, { 1e-06f, 1e-06f }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_f32_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_f32_fk,
     puma560_f32_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

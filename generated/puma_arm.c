@@ -275,8 +275,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_arm_fk, puma_arm_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_arm_fk,
+    puma_arm_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

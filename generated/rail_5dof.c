@@ -348,8 +348,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.1667, 0.1667, 0.1667, 1.0, 1.0, 1.0 }, 0.16666666666666666, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL, rail_5dof_fk,
-    rail_5dof_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, rail_5dof_fk, rail_5dof_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

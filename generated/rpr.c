@@ -225,7 +225,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.25, 1.25, 1.25, 0.0, 0.0, 0.0 }, 1.25, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, rpr_fk, rpr_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, rpr_fk,
+    rpr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -287,7 +287,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.25, 1.25, 1.25, 1.0, 1.0, 1.0 }, 1.25, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_fk, scara_jacobian, solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_fk,
+    scara_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -81,7 +81,8 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     slacks=(1e-09, 1e-09, 8e-10, 1e-09), weights=(1.0, 1.0, 1.5625000000000002, 1.0),
     paces=(1.0, 1.0, 0.8, 1.0),
     fan_steps=(0.09817477042468103, 0.09817477042468103, 0.00625, 0.09817477042468103),
-    steps=("keeps limits", "clamps", "clamps far", "winds", "follows seed"), choosable=(0,),
+    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
+    choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -235,7 +236,7 @@ def _formulas(kept, turns, rows, w):
         # joint values
         q3_p = t34 + (w2 - w2)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5 else
             kept[16 * w + k]
@@ -264,7 +265,7 @@ def _formulas(kept, turns, rows, w):
         excess_p, excess_m = max(v8, abs(angle3) - high1), max(v8, abs(angle4) - high1)
         outside_p, outside_m = 0.0 < excess_p, 0.0 < excess_m
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
             + k]

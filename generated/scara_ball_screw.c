@@ -173,7 +173,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 0, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
+    0, /* range exceeds a turn */ 0, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
     scara_ball_screw_fk, scara_ball_screw_jacobian, solve,
     NULL,
 };

@@ -319,7 +319,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0 }, 0.7692307692307692, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_wrist_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_wrist_fk,
     scara_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

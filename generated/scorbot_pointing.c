@@ -479,8 +479,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.05, 1.05, 1.05, 1.0, 1.0, 1.0 }, 1.050420168067227, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    scorbot_pointing_fk, scorbot_pointing_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, scorbot_pointing_fk, scorbot_pointing_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

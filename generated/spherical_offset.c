@@ -228,7 +228,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 6.667, 6.667, 6.667, 0.0, 0.0, 0.0 }, 6.666666666666667, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, spherical_offset_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, spherical_offset_fk,
     spherical_offset_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -471,8 +471,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0 }, 0.5617977528089886, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, spherical_wrist_all_offsets_fk,
-    spherical_wrist_all_offsets_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
+    spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -354,8 +354,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.6098, 0.6098, 0.6098, 1.0, 1.0, 1.0 }, 0.6097560975609756, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 4, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, spherical_wrist_general_arm_fk, spherical_wrist_general_arm_jacobian, solve,
     NULL,
 };
 

@@ -421,8 +421,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0 }, 0.7874015748031495, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stanford_fk, stanford_jacobian,
-    solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stanford_fk,
+    stanford_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -290,7 +290,7 @@ def _formulas(kept, turns, rows, w):
         v26, v27 = per_size * max(low3 - w3, w3 - high3), per_size * max(low3 + w3, -(high3 + w3))
         q3_ppp, q3_pmp = v1 + w3, v1 - w3
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4 else kept[16 * w + k]
         )
@@ -357,7 +357,7 @@ def _formulas(kept, turns, rows, w):
         outside_mpp, outside_mpm, outside_mmp = 0.0 < excess_mpp, 0.0 < excess_mpm, 0.0 < excess_mmp
         outside_mmm = 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

@@ -425,7 +425,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.111, 1.111, 1.111, 1.0, 1.0, 1.0 }, 1.1111111111111112, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_rx90_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_rx90_fk,
     staubli_rx90_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

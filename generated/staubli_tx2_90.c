@@ -532,7 +532,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0 }, 0.6544502617801046, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx2_90_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx2_90_fk,
     staubli_tx2_90_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -98,7 +98,15 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0), size=1.5280000000000002,
-    steps=("keeps limits", "merges", "refines", "clamps", "clamps far", "winds", "follows seed"),
+    steps=(
+        "keeps limits",
+        "merges",
+        "refines",
+        "clamps",
+        "clamps far",
+        "range exceeds a turn",
+        "follows seed",
+    ),
     choosable=(3, 1, 0),
 ))
 
@@ -376,7 +384,7 @@ def _formulas(kept, turns, rows, w):
         # joint values
         v63, v64 = math.copysign(half_turn, -v39), math.copysign(half_turn, -v40)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43
             <= m7 or v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2 else
@@ -496,7 +504,7 @@ def _formulas(kept, turns, rows, w):
         outside_mpp, outside_mpm, outside_mmp = 0.0 < excess_mpp, 0.0 < excess_mpm, 0.0 < excess_mmp
         outside_mmm = 0.0 < excess_mmm
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
             abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -

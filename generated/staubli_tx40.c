@@ -487,7 +487,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.149, 1.149, 1.149, 1.0, 1.0, 1.0 }, 1.1494252873563218, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx40_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx40_fk,
     staubli_tx40_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -223,7 +223,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 1.333, 1.333, 1.333, 0.0, 0.0, 0.0 }, 1.3333333333333333, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stewart_leg_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stewart_leg_fk,
     stewart_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

@@ -171,7 +171,7 @@ def _formulas(kept, turns, rows, w):
         excess_m, outside_pp = per_size * max(low3 + q3_pp, -(high3 + q3_pp)), 0.0 < excess_p
         outside_pm = 0.0 < excess_m
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 or v2 <= m1 else kept[16 * w + k]
         kept[16 * w + k] = (
             1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w

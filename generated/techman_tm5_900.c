@@ -512,7 +512,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 }, 0.753494329955167, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, techman_tm5_900_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, techman_tm5_900_fk,
     techman_tm5_900_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

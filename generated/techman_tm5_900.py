@@ -100,7 +100,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "refines",
         "clamps",
         "clamps far",
-        "winds",
+        "range exceeds a turn",
         "follows seed",
     ),
     choosable=(5, 1, 0), together=(0, 5),
@@ -390,7 +390,7 @@ def _formulas(kept, turns, rows, w):
         v41, v42, v43 = w3_pp * (m5 * Z2_3_pp), w3_pm * (m5 * Z2_3_pm), w3_mp * (m5 * Z2_3_mp)
         v44 = w3_mm * (m5 * Z2_3_mm)
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1
             * D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2 else kept[16 * w + k]
@@ -487,7 +487,7 @@ def _formulas(kept, turns, rows, w):
         q6_ppp, q6_pmp = angle1 + v25, v26 + (angle1 - math.copysign(half_turn, Y6_p))
         q6_mpp, q6_mmp = angle2 + v27, v28 + (angle2 - math.copysign(half_turn, Y6_m))
 
-        # a joint is free, branches meet, or rounding tells what is beyond a limit
+        # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
             abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]

@@ -472,7 +472,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.5632, 0.5632, 0.5632, 1.0, 1.0, 1.0 }, 0.5632216277105041, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur10e_fk, ur10e_jacobian, solve,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur10e_fk,
+    ur10e_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -94,7 +94,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "refines",
         "clamps",
         "clamps far",
-        "winds",
+        "range exceeds a turn",
         "follows seed",
     ),
     choosable=(5, 1, 0), together=(0, 5),

@@ -525,7 +525,7 @@ DHGEN_TABLE struct dhgen_arm arm_of_kind = {
     6, 16, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.762, 0.762, 0.762, 1.0, 1.0, 1.0 }, 0.762020879372095, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* winds */
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */ 1, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, NULL, NULL, solve,
     solve_certain,
 };

@@ -89,7 +89,7 @@ _KIND = _calibrated.Kind(
     arm=_arms.Arm(
         types=JOINT_TYPES, limits=JOINT_LIMITS, rows=16, directions="rotation",
         miss_weights=(0.762, 0.762, 0.762, 1.0, 1.0, 1.0), size=1.3122999999999998,
-        clamped_again=1e-10, steps=("clamps", "winds"),
+        clamped_again=1e-10, steps=("clamps", "range exceeds a turn"),
     ),
     table=NOMINAL,
     convention="standard", facing=(1.0, 1.0, 1.0, 1.0, 1.0, 1.0), reach=4.000000004,
@@ -110,7 +110,7 @@ _KIND = _calibrated.Kind(
 
 
 # The closed form of the nominal arm. A pose at which one of its branches may end by what the two
-# arms differ, an angle and a length that stand behind its entries, is left to the general algorithm.
+# arms differ, an angle and a length after its entries, is left to the general algorithm.
 @_HOW.merged
 def _formulas(kept, turns, rows, w):
     """Regular poses, w of them side by side, every branch: what is derived, without special cases.

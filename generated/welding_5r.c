@@ -300,8 +300,8 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.625, 0.625, 0.625, 1.0, 1.0, 1.0 }, 0.625, { 1e-14, 1e-14 }, entries, 6,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 4, NULL, 0, 52, 1, /* merges */ 0, /* refines */ 1, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ &completion, dhgen_complete_rows, NULL, NULL,
-    welding_5r_fk, welding_5r_jacobian, solve,
+    0, /* range exceeds a turn */ 1, /* follows seed */ &completion, dhgen_complete_rows,
+    NULL, NULL, welding_5r_fk, welding_5r_jacobian, solve,
     NULL,
 };
 

@@ -363,7 +363,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 10.0, 10.0, 10.0, 1.0, 1.0, 1.0 }, 10.0, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
     choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, wrist_oblique_fk,
+    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, wrist_oblique_fk,
     wrist_oblique_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

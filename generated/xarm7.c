@@ -239,7 +239,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     7, 16, 1, DHGEN_POSE, joints, given_joints, 1,
     { 0.8295, 0.8295, 0.8295, 1.0, 1.0, 1.0 }, 0.8295313148071338, { 1e-14, 1e-10 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
-    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* winds */
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
     0, /* follows seed */ NULL, NULL, NULL, NULL, xarm7_fk, xarm7_jacobian, solve,
     NULL,
 };

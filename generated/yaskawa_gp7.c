@@ -527,7 +527,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
     { 0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0 }, 0.7272727272727273, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
     choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* winds */ 1, /* follows seed */ NULL, NULL, NULL, NULL, yaskawa_gp7_fk,
+    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, yaskawa_gp7_fk,
     yaskawa_gp7_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };

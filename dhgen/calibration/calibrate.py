@@ -66,16 +66,18 @@ def calibrate(
         wanted = f"{robot.name} is asked for {robot.task.kind.value}"
         raise _refusal(calibration, f"{wanted}: calibrations are for arms with `task: pose`")
     if robot.is_coupled:
-        told = "calibrations are for arms whose joints have a drive and limits each"
-        raise _refusal(calibration, f"drives of {robot.name} are coupled, or sums limited: {told}")
+        reason = "calibrations are for arms whose joints have a drive and limits each"
+        raise _refusal(
+            calibration, f"drives of {robot.name} are coupled, or sums limited: {reason}"
+        )
     joints = calibrated_joints(robot, calibration)
     snapped = snap(joints, LEAST, LEAST)
     arm = arm_of(snapped.joints, LEAST, LEAST)
     moved = difference(joints, robot, arm.size)
     if moved.relative > FAR:
-        told = f"this is the calibration of another arm: by it the tool of {robot.name} is up to "
+        reason = f"this is the calibration of another arm: by it the tool of {robot.name} is up to "
         far = f"{moved.moved:.2g} {robot.length_unit} and {moved.turned:.2g} rad away"
-        raise _refusal(calibration, told + far + _unit_hint(robot, calibration))
+        raise _refusal(calibration, reason + far + _unit_hint(robot, calibration))
     why_not = _why_no_name(name, robot)
     heading = Heading(
         name=f"{robot.name}_calibrated" if why_not else name,
@@ -114,8 +116,8 @@ def _unit_hint(robot: Robot, calibration: Calibration) -> str:
     if angle > TURN:
         hint += f"; an angle of {angle:g} looks like degrees: they are in rad, or written with deg"
     if length > FARTHEST * size:
-        told = f"on an arm of {size:.2g} {unit} looks like another unit: they are in {unit}"
-        hint += f"; a length of {length:g} {told}"
+        other_unit = f"on an arm of {size:.2g} {unit} looks like another unit: they are in {unit}"
+        hint += f"; a length of {length:g} {other_unit}"
     return hint
 
 

@@ -78,11 +78,11 @@ class _Reader:
         document = self._document
         if document.has(ORIGINS) == document.has(DELTAS):
             if document.has(DELTAS):
-                told = f"a calibration holds {ORIGINS} or {DELTAS}, not both"
-                raise RobotFileError((document.source.point(span_of(document.root), told),))
+                message = f"a calibration holds {ORIGINS} or {DELTAS}, not both"
+                raise RobotFileError((document.source.point(span_of(document.root), message),))
             wanted = f"a calibration holds {ORIGINS}: (of each joint x, y, z, roll, pitch, yaw) or "
-            told = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
-            raise RobotFileError((document.source.point(span_of(document.root), told),))
+            message = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
+            raise RobotFileError((document.source.point(span_of(document.root), message),))
         is_deltas = document.has(DELTAS)
         node = document.find((DELTAS if is_deltas else ORIGINS,))[1]
         rows = self._deltas(node) if is_deltas else self._origins(node)
@@ -106,8 +106,8 @@ class _Reader:
         if any(name in LINKS for name in names):
             for name in names:
                 if name not in LINKS:
-                    told = f"no link is called {quoted(name)}{nearest(name, LINKS)}"
-                    self._complain(pairs[name][0], told)
+                    message = f"no link is called {quoted(name)}{nearest(name, LINKS)}"
+                    self._complain(pairs[name][0], message)
             if missing := [name for name in LINKS if name not in names]:
                 self._complain(node, f"{', '.join(missing)} missing")
             names = [name for name in LINKS if name in names]

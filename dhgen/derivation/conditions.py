@@ -15,7 +15,7 @@ from dhgen.derivation.text.formula import ZERO, equal
 from dhgen.derivation.text.lines import width
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
-from dhgen.derivation.text.walk import leads_negative
+from dhgen.derivation.text.walk import begins_negative
 from dhgen.kinematics.ring import primitive, used_places
 from dhgen.paul.witness import build_witnesses
 
@@ -117,7 +117,7 @@ def without_lengths(algebra: Algebra, form: Polynomial) -> Polynomial:
 def unsigned(story: Story, polynomial: Polynomial) -> Formula:
     """A polynomial or its opposite: without a leading minus, else by alphabet."""
     choices = [story.write_forward(polynomial), story.write_forward(-polynomial)]
-    return min(choices, key=lambda each: (leads_negative(each), show(each, PLAIN)))
+    return min(choices, key=lambda each: (begins_negative(each), show(each, PLAIN)))
 
 
 LOOKED_AT = 2048  # angles, evenly spread

@@ -143,8 +143,8 @@ def comparisons(program: Program) -> list[Guard]:
 def nothing_said(context: StepContext) -> str:
     """What is left of an angle where the equations hold for every value of it."""
     if _decides(context, open_joints(context)):
-        told = "these equations say" if len(context.step.forms) > 1 else "this equation says"
-        return f"{told} nothing about {{}}"
+        subject = "these equations say" if len(context.step.forms) > 1 else "this equation says"
+        return f"{subject} nothing about {{}}"
     return "every {} works"
 
 

@@ -77,8 +77,8 @@ def where_from(story: Story, step: Step) -> Prose:
         return say("{}{}, seen from the tool", head, _line_of(origins))
     if first.is_mixed:
         joints, known = story.moved_right(first.matrix)
-        told = many("joint", [str(joint) for joint in joints])
-        moved = say(f", {told} moved to the side of {{}}", known)
+        list_of_joints = many("joint", [str(joint) for joint in joints])
+        moved = say(f", {list_of_joints} moved to the side of {{}}", known)
         return say("{}{}{}", head, _line_of(origins), moved)
     return say("{}{}", head, _line_of(origins))
 

@@ -45,12 +45,12 @@ def step_blocks(story: Story, number: int) -> tuple[tuple[Block, ...], tuple[Sin
         where = say("{}, each with the sine or the cosine alone:", where)
         blocks = [Paragraph(where, lead=_lead(context)), *text.blocks, *implied(context)]
         return tuple(blocks), text.singularities
-    told = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
+    intro = [paragraph("Each equation holds the sine or the cosine alone:")] if direct else []
     blocks = [
         Paragraph(say("{}:", where), lead=_lead(context)),
         display(*quoted(story, number)),
         *rewriting,
-        *told,
+        *intro,
     ]
     blocks += [*with_functions(context, text.blocks), *implied(context)]
     return tuple(blocks), text.singularities

@@ -146,8 +146,10 @@ def _tie(description: Description, best: list[str], most: int) -> str:
         for way, end in zip(ways[:6], best[:6], strict=True)
     ]
     more = [f"and {len(best) - 6} more"] if len(best) > 6 else []
-    told = "\n".join(f"    {line}" for line in (*shown, *more))
-    return f"{len(best)} chains have {most} moving joints, and nothing says which is meant:\n{told}"
+    listed = "\n".join(f"    {line}" for line in (*shown, *more))
+    return (
+        f"{len(best)} chains have {most} moving joints, and nothing says which is meant:\n{listed}"
+    )
 
 
 def _is_on_the_way(description: Description, base: str, end: str) -> bool:
@@ -237,8 +239,8 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
 def _passive_notes(passive: tuple[Joint, ...], end: str) -> list[str]:
     """What is said of joints behind the last drive that move the tip."""
     followed = [f"{each.name} follows {each.mimics.joint}" for each in passive if each.mimics]
-    told = " and ".join(followed)
-    return [f"the tip is moved by the arm, too: {told} (--tip {end} ends before)"] * bool(passive)
+    movers = " and ".join(followed)
+    return [f"the tip is moved by the arm, too: {movers} (--tip {end} ends before)"] * bool(passive)
 
 
 def _notes(description: Description, chain: ArmChain) -> list[str]:
@@ -258,14 +260,14 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
     for joint in moving[:6]:
         moved = _count(children, joint)
         joints = "1 joint" if moved == 1 else f"{moved} joints"
-        told = f"left out: {joint.child} on {joint.parent}"
+        left_out = f"left out: {joint.child} on {joint.parent}"
         follows = joint.mimics and joint.mimics.joint
         if moved == 1 and follows in {each.name for each in chain.joints}:
             may_be_held = joint.mimics is not None and abs(joint.mimics.multiplier) == 1.0
             how = f" (--tip {joint.child} takes it)" if may_be_held else ""
-            notes.append(f"{told}, which follows {follows}{how}")
+            notes.append(f"{left_out}, which follows {follows}{how}")
         else:
-            notes.append(f"{told}, with {joints} of its own{_tips(chain, children, joint)}")
+            notes.append(f"{left_out}, with {joints} of its own{_tips(chain, children, joint)}")
     still = [joint.child for joint in sides if not _count(children, joint)]
     if still:
         shown = ", ".join(still[:6]) + (", ..." if len(still) > 6 else "")

@@ -89,7 +89,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
     if off.relative > BUG * near:
         message = f"the robot file made of {description.source.file} is another arm: the tool is "
         raise VerificationError(message + f"{off.moved:.2g} away. This is a bug in dhgen")
-    told = [
+    remarks = [
         *chain.notes,
         *_limit_notes(chain.actuated),
         *narrowed,
@@ -98,7 +98,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         *filter(None, [misses_note(arm)]),
         *notes,
     ]
-    return Import(text, robot, chain, off, tuple(told))
+    return Import(text, robot, chain, off, tuple(remarks))
 
 
 def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, ...]) -> None:
@@ -106,9 +106,9 @@ def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, .
     count = len(chain.actuated)
     if list(free) == sorted(set(free)) and all(1 <= number <= count for number in free):
         return
-    told = ", ".join(map(str, free))
+    listed = ", ".join(map(str, free))
     where = f"the arm from {plain(chain.base)} to {plain(chain.tip)} has joints 1 to {count}"
-    message = f"joints {told} can't be free: {where}, and each is named once, in ascending order"
+    message = f"joints {listed} can't be free: {where}, and each is named once, in ascending order"
     raise RobotFileError((Diagnostic(description.source.file, 0, 0, message),))
 
 
@@ -145,13 +145,13 @@ def _demand_drives(heading: Heading, arm: Arm) -> None:
 
 def _snap_note(snapped: Snapped, off: Difference, near: float) -> str:
     """What was taken as exact, and what that changes."""
-    told = []
+    snaps = []
     if snapped.angles:
-        told.append(f"angles {_some(snapped.angles)} as multiples of 15 deg")
+        snaps.append(f"angles {_some(snapped.angles)} as multiples of 15 deg")
     if snapped.lengths:
-        told.append(f"lengths {_some(snapped.lengths)} as 0")
+        snaps.append(f"lengths {_some(snapped.lengths)} as 0")
     what = (
-        " and ".join(told)
+        " and ".join(snaps)
         or "what is nearly parallel, square, meeting or of one length as exactly so"
     )
     return (

@@ -34,18 +34,18 @@ def misses(arm: Arm) -> str | None:
     found = _all_misses(arm)
     if not found:
         return None
-    told = "; ".join(miss.text for miss in found[:SHOWN])
+    shown = "; ".join(miss.text for miss in found[:SHOWN])
     more = f"; and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
-    return f"kept as it is: {told}{more}"
+    return f"kept as it is: {shown}{more}"
 
 
 def misses_note(arm: Arm) -> str | None:
     """The same, with what takes it as exact."""
-    told = misses(arm)
-    if told is None:
+    note = misses(arm)
+    if note is None:
         return None
     needed = _rounded_up(max(miss.off for miss in _all_misses(arm)))
-    return f"{told}; if that is not meant, dhgen import --snap {needed} takes it as exact"
+    return f"{note}; if that is not meant, dhgen import --snap {needed} takes it as exact"
 
 
 def _all_misses(arm: Arm) -> list[Miss]:

@@ -158,7 +158,7 @@ class Chain:
         """What the joints are called: as in the robot file, or joint1, joint2 and so on."""
         return tuple(joint.name or f"joint{joint.number}" for joint in self.joints)
 
-    def told(self, numbers: Iterable[int]) -> str:
+    def named(self, numbers: Iterable[int]) -> str:
         """Joints as messages list them: 1, 3, or with names 1 (shoulder), 3 (elbow)."""
         names = {joint.number: f" ({joint.name})" for joint in self.joints if joint.name}
         return ", ".join(f"{number}{names.get(number, '')}" for number in numbers)

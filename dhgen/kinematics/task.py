@@ -36,7 +36,7 @@ def task_entries(task: Task) -> frozenset[str]:
     return places | _DIRECTIONS[task.directions]
 
 
-def telling_entries(task: Task) -> frozenset[str]:
+def compared_entries(task: Task) -> frozenset[str]:
     """Those of them that have to be compared: two columns of a rotation leave none for the third.
 
     With those two off by no more than a small d each, the second is off by less than 3 d. An arm

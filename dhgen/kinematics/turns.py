@@ -91,7 +91,7 @@ def turns_together(chain: Chain) -> tuple[tuple[int, FloatArray], ...]:
     return tuple((drive, turns[drive] + 0.0) for drive in order if drive in turns)
 
 
-def stands_on_limits(chain: Chain) -> bool:
+def has_poses_to_clamp(chain: Chain) -> bool:
     """Whether an arm has limits, and poses that rounding says little about: not one of slides.
 
     An arm angle would be one more thing that has to be met.

@@ -239,8 +239,8 @@ class _Reading:
                 ": a leg that begins with a slide in the plane is written with `axes`, where a "
                 "slide has any direction"
             )
-        for i, leads_out in enumerate(self._slides_along_z(leg.geometry)):
-            if leads_out:
+        for i, is_out in enumerate(self._slides_along_z(leg.geometry)):
+            if is_out:
                 self.report.error((*leg.path, "joints" if by_rows else "axes", i), message)
 
     def _slides_along_z(self, geometry: DhTable | ReferenceAxes) -> list[bool]:

@@ -19,7 +19,7 @@ from dhgen.library.documents import (
     parameters_line,
     table_rows,
 )
-from dhgen.library.progress import say_nothing, tell_who_waits
+from dhgen.library.progress import no_progress, show_progress
 from dhgen.library.wording import note_for_python
 from dhgen.robot.robot import JointKind
 from dhgen.runtime.python.arguments import numbers
@@ -146,7 +146,7 @@ class Arm:
         return Document(figures.pop(f"{self.name}.md"), figures)
 
     def build(
-        self, *, progress: Callable[[str], None] | None = tell_who_waits, native: bool = True
+        self, *, progress: Callable[[str], None] | None = show_progress, native: bool = True
     ) -> Solver:
         """The solver: derived, verified and kept, or the one that was kept before.
 
@@ -155,8 +155,8 @@ class Arm:
         content. Another version of dhgen builds anew.
 
         Args:
-            progress: Is told what is being done; by default stderr is, where a person waits there.
-                None for nobody.
+            progress: Called with what is being done; by default it is written to stderr, where a
+                person waits there. None for nobody.
             native: Whether C solves where there is a C compiler, which takes no time to warm up;
                 else it is Python, with numba.
 
@@ -172,19 +172,19 @@ class Arm:
 
         folder = folder_of(self.file)
         if not is_whole(folder):
-            self._build(folder, progress or say_nothing)
+            self._build(folder, progress or no_progress)
         return Solver(self, folder, in_c=native)
 
-    def _build(self, folder: Path, tell: Callable[[str], None]) -> None:
+    def _build(self, folder: Path, progress: Callable[[str], None]) -> None:
         from dhgen.compiler import verified  # noqa: PLC0415
         from dhgen.library.kept import keep, room_for  # noqa: PLC0415
         from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
         room_for(folder).cleanup()  # nobody waits a minute to hear that nothing can be kept
-        tell(f"building the solver of {self.name}, once; deriving")
+        progress(f"building the solver of {self.name}, once; deriving")
         compilation = self._compilation
         try:
-            report = verified(compilation, tell)
+            report = verified(compilation, progress)
         except VerificationError as error:
             for doubt in self.file.robot.doubts:
                 error.add_note(f"note: {doubt}")

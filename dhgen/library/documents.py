@@ -85,17 +85,17 @@ def parameters_line(robot: Robot) -> str:
 
 def kind_line(robot: Robot) -> str:
     """What joints the arm has, what the caller gives and asks for, how the table is read."""
-    told = ["".join("R" if each.kind is JointKind.REVOLUTE else "P" for each in robot.joints)]
+    facts = ["".join("R" if each.kind is JointKind.REVOLUTE else "P" for each in robot.joints)]
     if robot.arm_angle:
-        told.append("the caller gives the arm angle")
+        facts.append("the caller gives the arm angle")
     if robot.free:
-        told.append(f"the caller gives {', '.join(f'q{number}' for number in robot.free)}")
+        facts.append(f"the caller gives {', '.join(f'q{number}' for number in robot.free)}")
     if robot.task.kind is not TaskKind.POSE:
         listed = ", ".join((*robot.task.coordinates, *robot.task.angles))
-        told.append(f"task: {f'[{listed}]' if listed else robot.task.kind.value}")
+        facts.append(f"task: {f'[{listed}]' if listed else robot.task.kind.value}")
     if isinstance(robot.geometry, DhTable):
-        return "; ".join([*told, f"{robot.geometry.convention.value} convention"])
-    return "; ".join([*told, "axes in the reference position"])
+        return "; ".join([*facts, f"{robot.geometry.convention.value} convention"])
+    return "; ".join([*facts, "axes in the reference position"])
 
 
 def as_text(rows: Iterable[tuple[str, ...]]) -> list[str]:

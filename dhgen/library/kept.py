@@ -82,8 +82,8 @@ def room_for(folder: Path) -> tempfile.TemporaryDirectory[str]:
         folder.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
         return tempfile.TemporaryDirectory(prefix=".", dir=folder.parent)
     except OSError as error:
-        told = f"solvers can't be kept there ({error.strerror}): {WRITABLE}"
-        raise OSError(error.errno, told, str(folder.parent)) from None
+        problem = f"solvers can't be kept there ({error.strerror}): {WRITABLE}"
+        raise OSError(error.errno, problem, str(folder.parent)) from None
 
 
 def _take_place(made: Path, folder: Path, aside: Path) -> None:

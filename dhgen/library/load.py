@@ -115,9 +115,9 @@ def _tolerance(snap: float | None) -> float | None:
 def _demand_none(options: list[str], source: str) -> None:
     """Stops where options of an import are given for something else."""
     if options:
-        told = f"{', '.join(options)} {'are' if options[1:] else 'is'}"
+        subject = f"{', '.join(options)} {'are' if options[1:] else 'is'}"
         kinds = "robot descriptions (URDF, xacro, MJCF)"
-        raise CommandError(f"{source}: {told} for {kinds}; a robot file has its own keys")
+        raise CommandError(f"{source}: {subject} for {kinds}; a robot file has its own keys")
 
 
 def _argument(value: object) -> str:

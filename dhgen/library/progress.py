@@ -5,11 +5,11 @@ from __future__ import annotations
 import sys
 
 
-def tell_who_waits(text: str) -> None:
+def show_progress(text: str) -> None:
     """Writes a line to stderr: at a terminal, in an interactive Python, in a notebook."""
     if hasattr(sys, "ps1") or sys.stderr.isatty():
         print(f"dhgen: {text} ...", file=sys.stderr, flush=True)  # noqa: T201
 
 
-def say_nothing(_: str) -> None:
+def no_progress(_: str) -> None:
     """For those who want no progress."""

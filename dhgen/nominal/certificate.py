@@ -100,9 +100,9 @@ class _Certificate:
                     if statement.named:
                         builder.hint(self._values[name], name)
         joints = [self._value(joint) for joint in self._solver.joints]
-        told = [self._value(doubt) for doubt in self._solver.doubts]
+        doubted = [self._value(doubt) for doubt in self._solver.doubts]
         builder.heading("by how much these differ at poses so near: slopes and rests")
-        doubts = builder.disjunctions([*told, *self._near(joints, told)])
+        doubts = builder.disjunctions([*doubted, *self._near(joints, doubted)])
         results = {f"q{place + 1}": node for place, node in enumerate(joints)}
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         finished = builder.finish(program.name, results, [])
@@ -140,15 +140,15 @@ class _Certificate:
             case Joint():
                 raise NoBoundError
 
-    def _near(self, joints: list[Node], told: list[Node]) -> Iterator[Node]:
+    def _near(self, joints: list[Node], doubted: list[Node]) -> Iterator[Node]:
         """Where a branch may end within the ball, or two of them meet."""
-        entries = [self._entry(node) for node in self._reached([*joints, *told])]
+        entries = [self._entry(node) for node in self._reached([*joints, *doubted])]
         roots = [entry.operands[0] for entry in entries if entry.operator == "sqrt"]
         divisors = [entry.operands[1] for entry in entries if entry.operator == "div"]
         crossing = self._may_be_negative(list(dict.fromkeys(roots)))
         compared = [
             factor
-            for entry in map(self._entry, self._reached(told))
+            for entry in map(self._entry, self._reached(doubted))
             if entry.operator in COMPARISONS
             for operand in entry.operands
             for factor in self._factors(operand, crossing)

@@ -51,7 +51,7 @@ class ParallelCompilation:
 
 def compile_file(
     file: AnyFile,
-    tell: Callable[[str], None] = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
     *,
     out: Path | None = None,
     single_file: bool = False,
@@ -60,7 +60,7 @@ def compile_file(
 
     Args:
         file: The robot file, read.
-        tell: Is told what is being done, for progress.
+        progress: Called with what is being done.
         out: The folder that the files are for, where it is known.
         single_file: Whether C and Python hold what they need of the runtime.
 
@@ -69,20 +69,20 @@ def compile_file(
         PrecisionError: The arm can't be solved in single precision, which the file asks for.
     """
     if isinstance(file, ParallelFile):
-        return compile_parallel(file, tell, out=out, single_file=single_file)
-    return compile_loaded(file, tell, out=out, single_file=single_file)
+        return compile_parallel(file, progress, out=out, single_file=single_file)
+    return compile_loaded(file, progress, out=out, single_file=single_file)
 
 
 def compile_parallel(
     file: ParallelFile,
-    tell: Callable[[str], None] = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
     *,
     out: Path | None = None,
     single_file: bool = False,
 ) -> ParallelCompilation:
     """The same of a parallel robot."""
     chains = tuple(
-        _of_legs(file, chain, partial(compile_loaded, out=out, single_file=single_file), tell)
+        _of_legs(file, chain, partial(compile_loaded, out=out, single_file=single_file), progress)
         for chain in file.chains
     )
     module = _joined(file, [each.module for each in chains], out)
@@ -95,14 +95,14 @@ def compile_parallel(
 
 
 def parallel_stories(
-    file: ParallelFile, tell: Callable[[str], None] = lambda _: None
+    file: ParallelFile, progress: Callable[[str], None] = lambda _: None
 ) -> tuple[ParallelModule, tuple[Story, ...]]:
     """What is printed of a parallel robot, without its files, and of each kind of leg.
 
     Raises:
         UnsolvedError: No derivation solves a leg.
     """
-    made = [_of_legs(file, chain, worked_out, tell) for chain in file.chains]
+    made = [_of_legs(file, chain, worked_out, progress) for chain in file.chains]
     return _joined(file, [solver for _, solver in made], None), tuple(story for story, _ in made)
 
 
@@ -110,7 +110,7 @@ def _of_legs(
     file: ParallelFile,
     chain: RobotFile,
     make: Callable[[RobotFile, Callable[[str], None]], Made],
-    tell: Callable[[str], None],
+    progress: Callable[[str], None],
 ) -> Made:
     """What is made of a kind of leg, all of whose joints are to be solved for.
 
@@ -126,7 +126,7 @@ def _of_legs(
         first, *others = why_redundant(model, spare)
         raise UnsolvedError("\n".join([f"{which}: {first}", *others]))
     try:
-        return make(chain, tell)
+        return make(chain, progress)
     except UnsolvedError as error:
         raise UnsolvedError(f"{which}: {error}") from error
 
@@ -147,7 +147,7 @@ def _joined(
 
 
 def verified_parallel(
-    compilation: ParallelCompilation, tell: Callable[[str], None] = lambda _: None
+    compilation: ParallelCompilation, progress: Callable[[str], None] = lambda _: None
 ) -> ParallelReport:
     """Writes the files to a passing folder and proves them there, the legs' chains first.
 
@@ -157,7 +157,7 @@ def verified_parallel(
     """
     from dhgen.parallel.verify import verify_parallel  # noqa: PLC0415  the runtime takes its time
 
-    reports = [verified(chain, tell) for chain in compilation.chains]
+    reports = [verified(chain, progress) for chain in compilation.chains]
     with tempfile.TemporaryDirectory(prefix="dhgen-") as folder:
         write_files(Path(folder), compilation.files)
         return verify_parallel(compilation.module, Path(folder), reports)

@@ -182,11 +182,11 @@ def meaning(task: Task) -> str:
     """What counts of a platform's pose."""
     if task.kind is TaskKind.POSE:
         return "Every entry of a pose counts."
-    told = {
+    names = {
         (0, 1): "its place in the plane of x and y",
         (0, 1, 2): "its place",
     }[task.position_rows]
-    return f"Of a pose {told}{' and its yaw count' if task.angles else ' alone counts'}."
+    return f"Of a pose {names}{' and its yaw count' if task.angles else ' alone counts'}."
 
 
 def velocities(module: ParallelModule) -> str:

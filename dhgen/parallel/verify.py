@@ -137,7 +137,7 @@ class _Checker:
         self.residual = max(self.residual, miss)
         if not miss <= CLOSED:
             raise VerificationError(f"{where}: a leg misses the platform by {miss:.1e}")
-        mode = np.array([rows[told][0] for rows, told in zip(q, good, strict=True)])
+        mode = np.array([rows[inside][0] for rows, inside in zip(q, good, strict=True)])
         self._languages(T, q, status, mode, where)
         least = self._python.singularities(T, mode)
         self._least.append(np.nan_to_num(least[:2]))
@@ -166,15 +166,15 @@ class _Checker:
             raise VerificationError(f"{where}: the solution nearest to one is not that one")
         if self._native is None:
             return
-        count, rows, told = self._native.ik(T)
-        good = (told == self._python.OK) | (told == self._python.FREE_JOINT)
-        if not (told == status).all() or count != good.sum(axis=1).prod():
-            raise VerificationError(f"{where}: C has other statuses: {told.tolist()}")
+        count, rows, codes = self._native.ik(T)
+        good = (codes == self._python.OK) | (codes == self._python.FREE_JOINT)
+        if not (codes == status).all() or count != good.sum(axis=1).prod():
+            raise VerificationError(f"{where}: C has other statuses: {codes.tolist()}")
         if not self._near(rows, q):
             raise VerificationError(f"{where}: C has other rows: {rows.tolist()}")
-        self._drives(T[None], rows[None], told[None], where)
-        told_nearest, nearest = self._native.nearest(T, mode)
-        if told_nearest != self._python.OK or not self._near(nearest, mode):
+        self._drives(T[None], rows[None], codes[None], where)
+        nearest_code, nearest = self._native.nearest(T, mode)
+        if nearest_code != self._python.OK or not self._near(nearest, mode):
             raise VerificationError(f"{where}: C has another nearest solution")
 
     def _drives(self, T: FloatArray, q: FloatArray, status: Statuses, where: str) -> None:
@@ -182,10 +182,13 @@ class _Checker:
         assert self._native is not None
         wanted = driven_of_rows(self._module.driven_joints, q)
         taken = [self._native.ik_drives(pose) for pose in T]
-        alone = np.array([rows for _, rows, _ in taken]), np.array([told for _, _, told in taken])
-        for found, told in (self._native.drives_batch(T), alone):
+        alone = (
+            np.array([rows for _, rows, _ in taken]),
+            np.array([statuses for _, _, statuses in taken]),
+        )
+        for found, statuses in (self._native.drives_batch(T), alone):
             off = np.where(np.isnan(found) & np.isnan(wanted), 0.0, np.sin(0.5 * (found - wanted)))
-            if not (told == status).all() or not (np.abs(off) <= AGREED).all():
+            if not (statuses == status).all() or not (np.abs(off) <= AGREED).all():
                 raise VerificationError(f"{where}: in C, ik_drives differs: {found.tolist()}")
         good = (status == self._python.OK) | (status == self._python.FREE_JOINT)
         counts = np.array([count for count, _, _ in taken])
@@ -239,12 +242,12 @@ class _Checker:
         seed = next((side for side in sides if self._is_reached(side)), None)
         if seed is None:
             return
-        told, found, q = (self._python.fk(drives, seed)[i] for i in (2, 0, 1))
-        if told != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
+        code, found, q = (self._python.fk(drives, seed)[i] for i in (2, 0, 1))
+        if code != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
             raise VerificationError(f"{where}: the direct model leads to {found.tolist()}")
         if self._native is not None:
-            told, found, q = self._native.fk(drives, seed)
-            if told != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
+            code, found, q = self._native.fk(drives, seed)
+            if code != self._python.OK or not self._same_pose(found, T) or not self._near(q, mode):
                 raise VerificationError(f"{where}: in C the direct model leads elsewhere")
         if self._module.elimination is not None:
             self._assemblies(T, drives, where)
@@ -290,11 +293,11 @@ class _Checker:
         if not all(self._near(rows, one) for rows, (one, _) in zip(q, alone, strict=True)):
             raise VerificationError(f"{self._module.name}: ik_batch differs from ik_all")
         if self._native is not None:
-            rows, told = self._native.batch(poses)
+            rows, statuses = self._native.batch(poses)
             near = all(self._near(one, other) for one, other in zip(rows, q, strict=True))
-            if not near or not (told == status).all():
+            if not near or not (statuses == status).all():
                 raise VerificationError(f"{self._module.name}: in C, ik_batch differs")
-            self._drives(poses, rows, told, self._module.name)
+            self._drives(poses, rows, statuses, self._module.name)
 
     def no_pose(self, T: FloatArray) -> None:
         """What is no pose is refused, what is far away out of reach."""
@@ -305,10 +308,10 @@ class _Checker:
             (far, {self._python.UNREACHABLE, self._python.OUT_OF_LIMITS}),
         )
         for pose, statuses in wanted:
-            told = [self._python.ik_all(pose)[1]]
+            found = [self._python.ik_all(pose)[1]]
             if self._native is not None:
-                told += [self._native.ik(pose)[2], self._native.ik_drives(pose)[2]]
-            for each in told:
+                found += [self._native.ik(pose)[2], self._native.ik_drives(pose)[2]]
+            for each in found:
                 if not set(each.ravel().tolist()) <= statuses:
                     raise VerificationError(f"{self._module.name}: takes {pose.tolist()}")
 

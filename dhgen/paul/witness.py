@@ -103,7 +103,7 @@ class Witnesses:
                     sizes[place] += abs(n) * most[place] * most_too[place]
         return list(map(is_rounding, totals, sizes))
 
-    def stay_apart(self, *polynomials: Polynomial) -> bool:
+    def have_no_common_zero(self, *polynomials: Polynomial) -> bool:
         """Whether polynomials in cosines, sines and lengths have no common zero at right angles.
 
         Tried on every combination of multiples of pi/2, with random lengths, which is where the

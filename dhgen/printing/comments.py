@@ -1,4 +1,4 @@
-"""What users wrote, as it may stand in comments and docstrings of any language."""
+"""What users wrote, in a form that is safe in comments and docstrings of any language."""
 
 from __future__ import annotations
 

@@ -25,8 +25,8 @@ def roots_of(polynomials: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
         polynomials: What `circle_roots` takes: a0, a1, b1, a2, b2 and rounding, shape (N, 6).
 
     Returns:
-        Angles, ascending in (-pi, pi], NaN where there are fewer, and whether one stands for two or
-        has another beside it, both of shape (N, 4).
+        Angles, ascending in (-pi, pi], NaN where there are fewer, and whether one is double or has
+        another close to it, both of shape (N, 4).
     """
     roots = np.empty((len(polynomials), 4))
     close = np.empty((len(polynomials), 4), np.bool_)

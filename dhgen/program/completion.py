@@ -10,7 +10,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.arm_angle import plane_miss
-from dhgen.kinematics.task import telling_entries
+from dhgen.kinematics.task import compared_entries
 from dhgen.numerical.runtime_arm import runtime_arm
 from dhgen.runtime.plain import plain
 from dhgen.runtime.python.numerical.arm import arm_numbers
@@ -87,7 +87,7 @@ class Completion:
     @cached_property
     def _entries(self) -> tuple[int, ...]:
         """Places of the entries that the task names, in sixteen numbers."""
-        names = sorted(telling_entries(self.kernel.arm.chain.task))
+        names = sorted(compared_entries(self.kernel.arm.chain.task))
         return tuple(4 * row + column for row, column in (POSE_PLACES[name] for name in names))
 
     @cached_property

@@ -299,9 +299,9 @@ class Program:
             kept. Where roots nearly meet, rows of both of their sides are looked for with it. It
             holds arrays, which can't be hashed, and programs are: of those that are made from this
             one none depends on it.
-        led: The same for rows that miss the pose by more than is promised, where a branch follows
-            an earlier root, or a twist is beside a right angle. A root has few digits where it
-            nearly vanishes, and may then make a later branch a little out of reach.
+        led: Least squares for rows that miss the pose by more than is promised, where a branch
+            follows an earlier root, or a twist is beside a right angle. A root has few digits where
+            it nearly vanishes, and may then make a later branch a little out of reach.
         reserved: Names that are kept for others, the arm's numbers among them, whether they occur
             here or not: nothing else is called so, here or in a program that is made from this one.
     """

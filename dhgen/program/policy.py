@@ -1,8 +1,9 @@
 """What has to be done around a robot's formulas at run time, each step as the runtime calls it.
 
 Beside a singular pose a joint is known from the pose to rounding over what is left of the least
-singular value. If it is beyond a limit by no more than that, it may as well stand there; and where
-the seed meets the pose with other joint values than the rows, the arm may as well go on with those.
+singular value. If it is beyond a limit by no more than that, it may as well be on the limit; and
+where the seed meets the pose with other joint values than the rows, the arm may as well go on with
+those.
 """
 
 from __future__ import annotations
@@ -10,9 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.turns import has_limits, joints_alone, stands_on_limits, turns_alone
+from dhgen.kinematics.turns import has_limits, has_poses_to_clamp, joints_alone, turns_alone
 from dhgen.program.ir import Failure, Guard, Roots
-from dhgen.program.regular.regular import tells_regular
+from dhgen.program.regular.regular import has_regular_poses
 from dhgen.program.walk import finds_roots, whole_arm
 from dhgen.runtime.python.limits import NEARLY_A_TURN
 
@@ -28,12 +29,13 @@ HALVINGS, GOLDEN_CUTS = 52, 72
 
 @dataclass(frozen=True, slots=True)
 class Policy:
-    """Steps, and what they need to know of the arm.
+    """Steps, and the facts of the arm that they need.
 
     Attributes:
-        retries: Whether other values of free joints are looked for where the seed's lead to none.
+        retries: Whether other values of free joints are looked for where the seed's have no
+        solution.
         checks: Whether those values decide on whether the arm can take the pose.
-        keeps_limits: Whether others are looked for where the seed's lead beyond limits.
+        keeps_limits: Whether others are looked for where the seed's solution is beyond limits.
         completes: Whether rows may miss their pose, be lost or nearly meet.
         adds_others: Whether a joint may have one of a few values, and all of them are rows.
         ascends: Whether rows are the roots of a polynomial, in their order.
@@ -41,12 +43,13 @@ class Policy:
         root_turns: Joints, from 1, whose values add up to a root of a polynomial that may nearly
             meet another one, each with its sign.
         merges: Whether branches that meet may come out apart: one root follows another.
-        refines: Whether rows of a root that follows another are led to solutions.
+        refines: Whether rows of a root that follows another are refined to solutions.
         clamps: Whether joints are put on limits near singular poses.
         clamped: By how much more the pose may be missed then [arm sizes, rad].
         clamped_again: And where no row is inside limits then.
-        clamps_far: Whether they are led far to them: not where every pose is solved with care.
-        winds: Whether a joint that is put on a limit could be turned.
+        clamps_far: Whether joints far from limits are clamped: not where every pose is solved with
+        care.
+        range_exceeds_a_turn: Whether a joint that is put on a limit could be turned.
         follows_seed: Whether rows near singular poses go on from the seed.
         choosable: Joints, from 0, that may be free, the last first.
         together: Those that may be at the same time and decide on one guard.
@@ -67,7 +70,7 @@ class Policy:
     clamped: float
     clamped_again: float
     clamps_far: bool
-    winds: bool
+    range_exceeds_a_turn: bool
     follows_seed: bool
     choosable: tuple[int, ...]
     together: tuple[int, ...]
@@ -87,7 +90,7 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         solver: From pose to rows of joint values.
         tolerances: Of the arithmetic that it is for.
     """
-    completes, stands = solver.tightened is not None, stands_on_limits(chain)
+    completes, stands = solver.tightened is not None, has_poses_to_clamp(chain)
     follows_seed = _follows_seed(chain, solver)
     checks, joints = _checks_again(solver), _choosable(solver)
     return Policy(
@@ -97,15 +100,15 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         completes=completes,
         adds_others=completes and checks and solver.rows > 1,
         ascends=finds_roots(solver) and len(solver.axes) == 1,
-        equations_end_all=tells_regular(solver),
+        equations_end_all=has_regular_poses(solver),
         root_turns=solver.turning if completes and finds_roots(solver) else (),
         merges=follows_seed and _roots_in_a_row(solver) > 1,
         refines=solver.led is not None,
         clamps=stands,
         clamped=tolerances.clamped,
         clamped_again=_clamped_again(solver, tolerances),
-        clamps_far=stands and tells_regular(solver),
-        winds=stands and _widest_turn(chain) > NEARLY_A_TURN,
+        clamps_far=stands and has_regular_poses(solver),
+        range_exceeds_a_turn=stands and _widest_turn(chain) > NEARLY_A_TURN,
         follows_seed=follows_seed,
         choosable=_places(joints),
         together=() if completes else _places(_lost_together(solver)),
@@ -122,7 +125,7 @@ def _clamped_again(solver: Program, tolerances: Tolerances) -> float:
 
 
 def _follows_seed(chain: Chain, solver: Program) -> bool:
-    """Whether an arm has poses that rounding says little about, and rows for its branches.
+    """Whether an arm has poses at which rounding is magnified, and rows for its branches.
 
     Where whole turns of drives move others, a seed may be a turn of a row that looks unlike it.
     """
@@ -159,7 +162,7 @@ def _chooses_again(program: Program) -> bool:
 def _lost_together(program: Program) -> tuple[int, ...]:
     """The joints, from 1, that may be free at the same time and decide on one guard.
 
-    The one that is noted for a lost row, the last of those that are free, stands behind the others.
+    The one that is noted for a lost row, the last free one, comes after the others.
     """
     guards = (statement for statement in program.body if isinstance(statement, Guard))
     lost = ([c.joint for c in guard.chosen if c.value is None] for guard in guards if guard.margin)

@@ -27,7 +27,7 @@ class Reserved:
     numbered: str = ""
 
     def with_own(self, names: Iterable[str]) -> Reserved:
-        """The same for an arm and a program with such names."""
+        """The reserved names and the names of an arm and a program."""
         return replace(self, own=frozenset(names))
 
     def is_kept_from_constants(self, name: str) -> bool:

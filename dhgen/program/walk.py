@@ -59,13 +59,13 @@ def whole_arm(program: Program) -> AllJoints | None:
 
 
 def general_kernel(program: Program) -> GeneralKernel | None:
-    """What the general algorithm knows of the arm, where that solves it."""
+    """The general algorithm's constants of the arm, where that solves it."""
     whole = whole_arm(program)
     return None if whole is None else whole.general
 
 
 def descents(program: Program) -> NumericalKernel | None:
-    """What least squares know of the arm, where they solve it or complete its rows."""
+    """The constants of least squares for the arm, where they solve it or complete its rows."""
     whole = whole_arm(program)
     return program.tightened if whole is None else whole.descent
 

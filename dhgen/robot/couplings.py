@@ -73,13 +73,13 @@ def check_couplings(
     ]
     circle = _circle({j: rows[row - 1].couplings for j, row in enumerate(numbers, start=1)})
     if circle:
-        told = [numbers[joint - 1] for joint in circle]
+        along = [numbers[joint - 1] for joint in circle]
         links = ", ".join(
-            f"joint {a} by q{b}" for a, b in zip(told, [*told[1:], told[0]], strict=True)
+            f"joint {a} by q{b}" for a, b in zip(along, [*along[1:], along[0]], strict=True)
         )
         message = f"these joints are moved by each other's drives: {links}"
         end = "one of them has to be moved by its own drive alone"
-        cells.report.error(paths[told[0] - 1], f"{message}; {end}")
+        cells.report.error(paths[along[0] - 1], f"{message}; {end}")
     return all(checked) and not circle
 
 

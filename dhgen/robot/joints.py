@@ -105,12 +105,12 @@ def _report_order(
     """Reports ends in the wrong order, and units that are mixed in them."""
     shown = []
     for i, (text, end) in enumerate(zip(entry, ends, strict=True)):
-        said, value, unit = text.strip(), _value(cells, kind, end), ""
+        written, value, unit = text.strip(), _value(cells, kind, end), ""
         if kind is JointKind.REVOLUTE:
             cells.note_mixture((*path, i), text, end)
             value, unit = (math.degrees(value), " deg") if cells.units.degrees else (value, " rad")
-        plain = re.fullmatch(r"[-+\d.]{1,12}", said)
-        shown.append(said if plain else f"{quoted(said)} ({value:.6g}{unit})")
+        plain = re.fullmatch(r"[-+\d.]{1,12}", written)
+        shown.append(written if plain else f"{quoted(written)} ({value:.6g}{unit})")
     low, high = shown
     cells.report.error(path, f"the lower limit {low} is not below the upper one {high}")
 
@@ -224,8 +224,8 @@ def _no_other(text: str, numbers: Mapping[int, int], row: int) -> tuple[str, Spa
     for found in _NUMBERED.finditer(text):
         number, part = int(found[1]), Span(found.start(), len(found[0]))
         if number == row:
-            told = f"the variable of this row is called q here: write q for {found[0]}"
-            return f"{told}; with its number it is called so in other rows", part
+            reason = f"the variable of this row is called q here: write q for {found[0]}"
+            return f"{reason}; with its number it is called so in other rows", part
         if number not in numbers and 1 <= number <= max(numbers, default=0):
             return f"row {number} has no variable of its own: write what moves it", part
     return None

@@ -100,8 +100,8 @@ class _Writer:
             self._mistake(path[:1], f"nested more than {MAX_DEPTH} deep")
         elif isinstance(plain, Mapping):
             self._write("{")
-            told = {key: each for key, each in plain.items() if not _is_endless(key, each)}
-            for count, (key, each) in enumerate(told.items()):
+            finite = {key: each for key, each in plain.items() if not _is_endless(key, each)}
+            for count, (key, each) in enumerate(finite.items()):
                 self._write(", " if count else "")
                 self._at((*path, key))
                 self._write(f"{self._key(key, path)}: ")

@@ -21,7 +21,7 @@ from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.nodes import Pairs, index_pairs, is_null, span_of
 from dhgen.robot.source import SourceText, Span, quoted
-from dhgen.robot.syntax import blank_told, syntax_errors
+from dhgen.robot.syntax import missing_blank, syntax_errors
 
 if TYPE_CHECKING:
     from ruamel.yaml.events import Event
@@ -126,7 +126,7 @@ def read_document(source: SourceText) -> Document:
     if root is None or is_null(root):
         raise _whole(source, "the file is empty")
     if not isinstance(root, MappingNode):
-        message = _TABLE if _is_table(text) else blank_told(str(root.value)) or _KEYS
+        message = _TABLE if _is_table(text) else missing_blank(str(root.value)) or _KEYS
         raise RobotFileError((source.point(span_of(root), message),))
     pairs, mistakes = index_pairs(source, root)
     return Document(source, root, pairs, tuple(mistakes))

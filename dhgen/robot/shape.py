@@ -23,7 +23,7 @@ from dhgen.robot.schema import (
     Units,
 )
 from dhgen.robot.source import quoted
-from dhgen.robot.syntax import blank_told
+from dhgen.robot.syntax import missing_blank
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -131,7 +131,7 @@ def value_message(details: ErrorDetails) -> str:
     if details["type"] == "string_type" and path[-1] in _WORDS:
         return f"expected a text, not {shown}"
     expected = context.get("expected") or _KINDS.get(details["type"]) or _form(path)
-    blank = blank_told(given) if details["type"] in _KEYED and isinstance(given, str) else None
+    blank = missing_blank(given) if details["type"] in _KEYED and isinstance(given, str) else None
     hint = f"; {NO_LIMITS}" if path[-1] == "limits" and _is_none(given) else ""
     return blank or f"expected {expected}, not {shown}{hint}"
 

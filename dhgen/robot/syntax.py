@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from ruamel.yaml.error import StreamMark
 
-MOST_TOLD = 100  # keys without a blank
+MOST_GLUED = 100  # keys without a blank
 
 _KEY = r"([A-Za-z_]\w*):(?=[^\s:,\]}])(?!//)"
 _GLUED = re.compile(rf"{_KEY}(.+)", re.ASCII | re.DOTALL)
@@ -53,11 +53,11 @@ def split_glued(text: str) -> tuple[str, str] | None:
 
 def blank_message(key: str, value: str) -> str:
     """The message for a key whose value follows without a blank."""
-    meant, said = f"{key}: {value}", f"{key}:{value}"
-    return f"a space must follow the colon: {quoted(meant)}, not {quoted(said)}"
+    meant, written = f"{key}: {value}", f"{key}:{value}"
+    return f"a space must follow the colon: {quoted(meant)}, not {quoted(written)}"
 
 
-def blank_told(text: str) -> str | None:
+def missing_blank(text: str) -> str | None:
     """The message for a text in the place of one key with its value."""
     halves = split_glued(text)
     return blank_message(*halves) if halves and "," not in text else None
@@ -68,7 +68,7 @@ def _without_blank(
 ) -> tuple[Diagnostic, ...]:
     """Keys whose values follow without a blank, if YAML gets further with the blanks."""
     mark = _mark(error)
-    glued = list(itertools.islice(_glued_keys(source), MOST_TOLD))
+    glued = list(itertools.islice(_glued_keys(source), MOST_GLUED))
     before = sum(span.start + span.width <= mark.index for span, _ in glued) if mark else 0
     if not mark or not before:
         return ()

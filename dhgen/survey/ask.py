@@ -99,7 +99,7 @@ class Tally:
     def counted(self) -> Random:
         """What was counted."""
         counts = self._expected, self._found, self._spurious, self._unmet
-        return Random(*counts, self._residual, _told("random", self._faults))
+        return Random(*counts, self._residual, _shown("random", self._faults))
 
 
 def ask_random(trial: Trial, count: int, bound: float) -> Random:
@@ -122,7 +122,7 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
     """
     poses = answered = 0
     worst = 0.0
-    told: list[str] = []
+    messages: list[str] = []
     redundant = is_redundant(trial.robot)
     for kind, q in singular_sets(trial.robot, count).items():
         faults = []
@@ -148,8 +148,8 @@ def ask_singular(trial: Trial, count: int, bound: float) -> Singular:
             answered += not fault
             faults += [f"{fault}, q = {joints.tolist()}"] if fault else []
         poses += len(q)
-        told += _told(kind, faults)
-    return Singular(poses, answered, worst, tuple(told))
+        messages += _shown(kind, faults)
+    return Singular(poses, answered, worst, tuple(messages))
 
 
 def missed(trial: Trial, solutions: FloatArray, rows: FloatArray, near: float) -> int:
@@ -171,7 +171,7 @@ def among(trial: Trial, one: FloatArray, others: FloatArray, near: float) -> boo
     return bool(trial.apart(others, one).min(initial=np.inf) <= near)
 
 
-def _told(kind: str, faults: Sequence[str]) -> tuple[str, ...]:
+def _shown(kind: str, faults: Sequence[str]) -> tuple[str, ...]:
     left = len(faults) - SHOWN
     more = (f"{kind}: and {left} more",) if left > 0 else ()
     return (*(f"{kind}: {fault}" for fault in faults[:SHOWN]), *more)

@@ -38,7 +38,7 @@ SINGULAR_SHARE = 4  # random poses for one of each singular kind of a leg
 
 
 def parallel_answers(
-    made: ParallelCompilation, poses: int, recall: int, cpu: float, tell: Callable[[str], None]
+    made: ParallelCompilation, poses: int, recall: int, cpu: float, progress: Callable[[str], None]
 ) -> Answers:
     """How the solver of a parallel robot does.
 
@@ -47,7 +47,7 @@ def parallel_answers(
         poses: How many random poses of the platform it is asked.
         recall: On how many of each kind of leg only its own joint values are looked for.
         cpu: What it took to make it [s].
-        tell: Is told what is being done.
+        progress: Called with what is being done.
     """
     with tempfile.TemporaryDirectory(prefix="dhgen-") as name:
         folder = Path(name)
@@ -57,12 +57,14 @@ def parallel_answers(
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trials = {each.robot.name: _trial(each, folder) for each in made.chains}
         what = f"searching for all solutions of {len(made.module.legs)} legs"
-        tell(f"{made.module.name}: {what} on {poses} random poses")
+        progress(f"{made.module.name}: {what} on {poses} random poses")
         random = _ask(made.module, native, trials, _reached(made.module, native, poses))
-        tell(f"{made.module.name}: singular poses of its legs")
+        progress(f"{made.module.name}: singular poses of its legs")
         count = -(-poses // SINGULAR_SHARE)
         singular = [ask_singular(trial, count, RESIDUAL) for trial in trials.values()]
-        tell(f"{made.module.name}: looking for its legs' own joint values on {recall} random poses")
+        progress(
+            f"{made.module.name}: looking for its legs' own joint values on {recall} random poses"
+        )
         recalled = [ask_recall(trial, recall) for trial in trials.values()]
     return _counted(made, random, singular, recalled, poses, cpu)
 

@@ -44,7 +44,7 @@ class Source:
     name: str
     place: str = ""
 
-    def tell(self, remark: Diagnostic) -> str:
+    def located(self, remark: Diagnostic) -> str:
         """A remark and its place; of a list the user never saw the file."""
         if not self.place:
             return str(remark)

@@ -41,7 +41,7 @@ def survey(
     given: Sequence[Path],
     poses: int,
     recall: int = 0,
-    tell: Callable[[str], None] = lambda _: None,
+    progress: Callable[[str], None] = lambda _: None,
 ) -> tuple[Line, ...]:
     """Surveys robot files, folders of them and lists in JSON, on all cores.
 
@@ -49,7 +49,7 @@ def survey(
         given: Where the arms are.
         poses: Random poses of each; a quarter as many of every singular kind.
         recall: Random poses of each on which only its own joint values are looked for.
-        tell: Is told of every arm that is done, and of a single one what is being done.
+        progress: Called with every arm that is done, and for a single one with what is being done.
 
     Raises:
         RobotFileError: A path leads nowhere, or a list can't be read. Mistakes in single robot
@@ -60,15 +60,15 @@ def survey(
         files = robot_files(given, Path(folder))
         make = partial(survey_arm, poses=poses, recall=recall)
         if len(files) == 1:  # which is made in this process
-            make = partial(make, tell=tell)
+            make = partial(make, progress=progress)
         for line in side_by_side(make, files):
             lines.append(_alone(line, lines))
-            tell(f"{len(lines)} of {len(files)}: {line.name}")
+            progress(f"{len(lines)} of {len(files)}: {line.name}")
     return tuple(lines)
 
 
 def survey_arm(
-    source: Source, poses: int, recall: int = 0, tell: Callable[[str], None] = lambda _: None
+    source: Source, poses: int, recall: int = 0, progress: Callable[[str], None] = lambda _: None
 ) -> Line:
     """One arm's line; the same at every run but for the CPU time."""
     name, joints, structure = source.name, "", ""
@@ -76,19 +76,19 @@ def survey_arm(
     try:
         file = read_file(source.path)
         if isinstance(file, ParallelFile):
-            return _parallel_line(file, source, poses, recall, tell)
+            return _parallel_line(file, source, poses, recall, progress)
         robot = file.robot
         name = robot.name
-        remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
+        remarks = tuple(f"note: {source.located(notice)}" for notice in robot.notices)
         chain = build_chain(robot)
         joints, structure = joint_letters(chain), arm_class(chain)
         start = time.process_time()
-        compilation = compile_loaded(file, tell)
+        compilation = compile_loaded(file, progress)
         cpu = time.process_time() - start
-        answers = _answers(compilation, poses, recall, cpu, tell)
+        answers = _answers(compilation, poses, recall, cpu, progress)
     except RobotFileError as error:
-        notes = (f"note: {source.tell(note)}" for note in error.notes)
-        remarks = (*map(source.tell, error.diagnostics), *notes)
+        notes = (f"note: {source.located(note)}" for note in error.notes)
+        remarks = (*map(source.located, error.diagnostics), *notes)
         first = remarks[0].splitlines()[0]
         return Line(name, joints, structure, None, first, mistaken=True, remarks=remarks)
     except DhgenError as error:
@@ -98,19 +98,19 @@ def survey_arm(
 
 
 def _parallel_line(
-    file: ParallelFile, source: Source, poses: int, recall: int, tell: Callable[[str], None]
+    file: ParallelFile, source: Source, poses: int, recall: int, progress: Callable[[str], None]
 ) -> Line:
     """The line of a parallel robot; joints are those of its legs, each once."""
     robot = file.robot
-    remarks = tuple(f"note: {source.tell(notice)}" for notice in robot.notices)
+    remarks = tuple(f"note: {source.located(notice)}" for notice in robot.notices)
     chains = [build_chain(leg.chain) for leg in robot.legs]
     types = dict.fromkeys(joint_letters(chain) for chain in chains)
     joints = f"{len(chains)}-{'/'.join(types)}"
     structure = f"parallel, {robot.task.text.strip('[]')}"
     start = time.process_time()
-    made = compile_parallel(file, tell)
+    made = compile_parallel(file, progress)
     cpu = time.process_time() - start
-    answers = parallel_answers(made, poses, recall, cpu, tell)
+    answers = parallel_answers(made, poses, recall, cpu, progress)
     return Line(robot.name, joints, structure, answers, remarks=remarks)
 
 
@@ -123,7 +123,7 @@ def _alone(line: Line, others: Sequence[Line]) -> Line:
 
 
 def _answers(
-    compilation: Compilation, poses: int, recall: int, cpu: float, tell: Callable[[str], None]
+    compilation: Compilation, poses: int, recall: int, cpu: float, progress: Callable[[str], None]
 ) -> Answers:
     robot, module = compilation.robot, compilation.module
     derivation = compilation.derivation
@@ -138,11 +138,11 @@ def _answers(
         if c is None or fast is None:
             raise DhgenError("a survey needs a C compiler: cc, gcc, clang or $CC")
         trial = Trial(robot, arm(robot), arm_size(robot), c)
-        tell(f"{robot.name}: searching for all solutions on {poses} random poses")
+        progress(f"{robot.name}: searching for all solutions on {poses} random poses")
         random = ask_random(trial, poses, bound)
-        tell(f"{robot.name}: singular poses")
+        progress(f"{robot.name}: singular poses")
         singular = ask_singular(trial, -(-poses // SINGULAR_SHARE), bound)
-        tell(f"{robot.name}: looking for its own joint values on {recall} random poses")
+        progress(f"{robot.name}: looking for its own joint values on {recall} random poses")
         recalled = ask_recall(replace(trial, solver=fast), recall)
     return Answers(
         method=module.method,

@@ -8,6 +8,6 @@
 | general   | what those of the general algorithm name, in every language                      |
 | numerical | what those of the numerical solver name, in every language                       |
 
-Beside them stands what all of them use: `SolverModule`, what is printed; a program as nested loops,
-as stages, as lines of a scalar language; layout and constants.
+Next to them is what all of them use: `SolverModule`, what is printed; a program as nested loops, as
+stages, as lines of a scalar language; layout and constants.
 """

@@ -16,11 +16,11 @@ class Kind:
     """What calibrated arms of a kind have in common.
 
     Attributes:
-        module: The programs of the arm that stands for all.
+        module: The programs of the sample arm.
         nominal: The programs of the nominal arm.
         table: Its table.
         regular: Its closed form at regular poses, left where its rows may not be all of an arm's:
-            an angle and a length that the caller gives say by how much the two differ at most.
+            the caller gives an angle and a length by which the two differ at most.
     """
 
     module: SolverModule

@@ -1,4 +1,4 @@
-"""The constants of a robot's programs, with comments that say what they are."""
+"""The constants of a robot's programs, with comments on what they are."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class ConstantText:
     Attributes:
         name: Its name.
         value: Its value.
-        comment: What it is; empty where its name says all.
-        role: The same for the targets.
+        comment: What it is; empty where its name is enough.
+        role: What it is, as data.
         parts: The constants that the comment names, each with its value.
     """
 
@@ -48,7 +48,7 @@ def constant_texts(module: SolverModule, others: tuple[Program, ...] = ()) -> li
 def texts_of(module: SolverModule, programs: Iterable[Program]) -> list[ConstantText]:
     """Every constant of some programs that the files do not define anyway."""
     own = [constant.name for constant in module.chain.constants]
-    constants = _told_by_others(_merged(programs, own))
+    constants = _naming_others(_merged(programs, own))
     unit = module.length_unit
     return [
         ConstantText(c.name, repr(c.value), _comment(c, unit), c.role, _parts(c, unit))
@@ -63,14 +63,14 @@ def made_of(constants: Sequence[ConstantText], above: Sequence[ConstantText]) ->
     Whoever checks a coefficient finds every number of its formula. No code needs them.
 
     Returns:
-        A sentence in pieces that stay whole; empty if there is none.
+        A sentence in pieces that must not be broken; empty if there is none.
     """
     known = {each.name for each in (*constants, *above)}
     known |= {name for each in above for name, _ in each.parts}
-    told = {name: text for each in constants for name, text in each.parts if name not in known}
-    if not told:
+    roles = {name: text for each in constants for name, text in each.parts if name not in known}
+    if not roles:
         return []
-    *others, last = told.values()
+    *others, last = roles.values()
     first, *rest = [*(f"{text}," for text in others), f"{last}."]
     return [f"In formulas below, {first}", *rest]
 
@@ -89,21 +89,21 @@ def _merged(programs: Iterable[Program], own: Sequence[str]) -> tuple[NamedConst
     return tuple(sorted(merged.values(), key=order))
 
 
-def _told_by_others(constants: Iterable[NamedConstant]) -> list[NamedConstant]:
-    """Constants whose meanings name those before them instead of repeating what these mean."""
-    told: list[NamedConstant] = []
+def _naming_others(constants: Iterable[NamedConstant]) -> list[NamedConstant]:
+    """Constants whose meanings name earlier constants instead of repeating what these mean."""
+    done: list[NamedConstant] = []
     for constant in constants:
         meaning = constant.meaning
-        for other in told:
+        for other in done:
             repeated = rf"(\w?)\({re.escape(other.meaning)}\)"
             if other.meaning:
                 meaning = re.sub(repeated, partial(_named, name=other.name), meaning)
-        told.append(replace(constant, meaning=meaning))
-    return told
+        done.append(replace(constant, meaning=meaning))
+    return done
 
 
 def _named(found: re.Match[str], name: str) -> str:
-    """A name in place of what stood in brackets, which those of a function keep."""
+    """A name in place of what was in brackets; a function keeps its brackets."""
     return f"{found[1]}({name})" if found[1] else name
 
 
@@ -113,14 +113,14 @@ def _parts(constant: NamedConstant, length: str) -> tuple[tuple[str, str], ...]:
     Behind one that has a formula itself are those that this names.
     """
     words = set(_WORD.findall(constant.meaning))
-    told: list[tuple[str, str]] = []
+    found: list[tuple[str, str]] = []
     for part in constant.parts:
         if part.name in words and part.role is not Source.FILE:
-            told.append(
+            found.append(
                 (part.name, f"{part.name} = {_made(part)}{part.value!r}{_unit(part, length)}")
             )
-            told += _parts(part, length)
-    return tuple(told)
+            found += _parts(part, length)
+    return tuple(found)
 
 
 def _made(part: NamedConstant) -> str:

@@ -39,7 +39,7 @@ class NamedText:
 
 
 class Dialect(Protocol):
-    """What one language says differently."""
+    """How one language writes what others write differently."""
 
     def pose(self, row: int, column: int) -> str:
         """An entry of the given pose, from 1."""
@@ -62,7 +62,7 @@ class Dialect(Protocol):
         ...
 
     def negation(self) -> str:
-        """What stands before a denied truth value."""
+        """The operator before a denied truth value."""
         ...
 
     def choice(self, condition: str, yes: str, no: str) -> str:

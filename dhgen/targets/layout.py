@@ -27,7 +27,7 @@ def wrapped(line: str, indent: str, hanging: str = "    ", width: int = WIDTH) -
 def packed(
     pieces: Sequence[str], indent: str, separator: str = " ", width: int = WIDTH
 ) -> list[str]:
-    """Pieces that must stay whole, as many on a line as fit."""
+    """Pieces that must not be broken, as many on a line as fit."""
     lines: list[str] = []
     for piece in pieces:
         if lines and len(lines[-1]) + len(separator) + len(piece) <= width:

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 from dhgen import __version__
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task import telling_entries
-from dhgen.kinematics.turns import coupled_turns, stands_on_limits
+from dhgen.kinematics.task import compared_entries
+from dhgen.kinematics.turns import coupled_turns, has_poses_to_clamp
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
@@ -108,7 +108,7 @@ class SolverModule:
 
 
 def has_to_be_finite(module: SolverModule, entries: Iterable[str]) -> list[str]:
-    """What is finite where entries of the pose and given values serve.
+    """The expressions that are finite if the used entries of the pose and given values are.
 
     A slide follows the pose wherever it is; then sums of squares have to be finite, too, and are
     where cubes are.
@@ -119,7 +119,7 @@ def has_to_be_finite(module: SolverModule, entries: Iterable[str]) -> list[str]:
 
 @dataclass(frozen=True, slots=True)
 class NamedEntry:
-    """An entry of the pose by which it is told whether a row fits.
+    """An entry of the pose that a row is compared with.
 
     Attributes:
         place: In sixteen numbers, row by row.
@@ -131,8 +131,8 @@ class NamedEntry:
 
 
 def named_entries(chain: Chain) -> list[NamedEntry]:
-    """Those of the task, in order."""
-    places = (POSE_PLACES[name] for name in sorted(telling_entries(chain.task)))
+    """The entries of the task, in order."""
+    places = (POSE_PLACES[name] for name in sorted(compared_entries(chain.task)))
     size = repr(1.0 / chain.size)
     return [
         NamedEntry(4 * row + column, size if column == LAST else "1.0") for row, column in places
@@ -155,8 +155,8 @@ def origin_text(path: str, robot: str, template: str, indent: str, *, owner: str
     Args:
         path: How the robot file is called; may hold any character.
         robot: The identifier of the robot whose formulas these are.
-        template: What the file was printed by.
-        indent: What stands before lines.
+        template: The template that the file was printed by.
+        indent: The blanks before lines.
         owner: The parallel robot of which it is a kind of leg, if it is one.
     """
     source = plain_path(path)
@@ -165,14 +165,14 @@ def origin_text(path: str, robot: str, template: str, indent: str, *, owner: str
     command = shlex.join(["dhgen", source]) if source == path else "dhgen on that file"
     mended = f"Do not edit: run {command}."
     leg = f", of a leg of {owner}" if owner else ""
-    told = f"The formulas and where they come from: {robot}.md{leg}."
-    return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {told}", indent)])
+    reference = f"The formulas and where they come from: {robot}.md{leg}."
+    return f"\n{indent}".join([paragraph(made, indent), paragraph(f"{mended} {reference}", indent)])
 
 
 def slacks(module: SolverModule) -> list[float]:
     """By what each joint value may miss its limits [rad or length]."""
     angle = module.precision.tolerances.limit
-    length = float(f"{angle * module.chain.size:.4g}")  # more digits tell nothing
+    length = float(f"{angle * module.chain.size:.4g}")  # more digits are of no use
     return [angle if turns else length for turns in module.chain.turning]
 
 
@@ -203,7 +203,7 @@ def regular_solver(module: SolverModule, asked: Container[int] | None = None) ->
     if module.plain or coupled_turns(module.chain) is not None:
         return None
     table = module.precision.tolerances
-    graze = table.graze if stands_on_limits(module.chain) else None
+    graze = table.graze if has_poses_to_clamp(module.chain) else None
     limits = tuple(_limits(module, range(module.chain.dof) if asked is None else asked))
     solver = regular(module.solver, ArmLimits(limits, graze), table)
     if solver is None or asked is None:

@@ -39,8 +39,8 @@ def nest(program: Program) -> tuple[Nested, ...]:
     return _level(program, 0, set())
 
 
-def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ...]:
-    """One loop's body; headings that were told in full before are told in short."""
+def _level(program: Program, depth: int, seen: set[Heading]) -> tuple[Nested, ...]:
+    """One loop's body; headings that were printed in full before are shortened."""
     body: list[Nested] = []
     heading: Heading | None = None
     shown: Heading | None = None
@@ -49,13 +49,13 @@ def _level(program: Program, depth: int, told: set[Heading]) -> tuple[Nested, ..
             heading = statement
         elif not isinstance(statement, AllJoints) and _depth(statement) == depth:
             if heading is not None and heading != shown:
-                body.append(Heading(heading.text) if heading in told else heading)
-                told.add(heading)
+                body.append(Heading(heading.text) if heading in seen else heading)
+                seen.add(heading)
                 shown = heading
             body.append(statement)
     if depth < len(program.axes):
         has_roots = any(s.axis == depth for s in program.body if isinstance(s, Roots))
-        inner = _level(program, depth + 1, told)
+        inner = _level(program, depth + 1, seen)
         body.append(Loop(program.axes[depth], depth, not has_roots, inner))
     return tuple(body)
 

@@ -50,6 +50,6 @@ _VALUES = frozenset(f"{_SOLVER} {_C} {_LANES} {_PYTHON}".split())
 
 RESERVED = Reserved(
     values=_VALUES,
-    constants=_VALUES | frozenset(_BESIDE_CONSTANTS.split()),  # these stand at file level
+    constants=_VALUES | frozenset(_BESIDE_CONSTANTS.split()),  # these are at file level
     numbered=_NUMBERED,
 )

@@ -97,7 +97,7 @@ def row_text(program: Program, depth: int) -> str:
 
 
 def close_name(axis: Axis) -> str:
-    """The array that says which roots of a polynomial nearly meet another."""
+    """The array that marks which roots of a polynomial nearly meet another."""
     return f"{axis.name}_close"
 
 

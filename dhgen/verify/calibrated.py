@@ -84,9 +84,9 @@ def verify_kind(kind: Kind, folder: Path) -> Mapping[str, bytes]:
         arms.append(partial(FleetArm, solver.library, kind))
     nominal, size = np.array(kind.table.rows), kind.nominal.chain.size
     for arm in arms:
-        if arm(nominal).said != NO_MISS:
+        if arm(nominal).fault != NO_MISS:
             raise VerificationError(f"{module.name}: takes the nominal table, which misses nothing")
-        if arm(nominal + 1.0).said != ANOTHER_ARM:
+        if arm(nominal + 1.0).fault != ANOTHER_ARM:
             raise VerificationError(f"{module.name}: takes the table of another arm")
     source, count = np.random.default_rng(11), COUNT if is_compiled(python) else FEW
     for error in ERRORS:
@@ -115,13 +115,13 @@ class PythonArm:
         given: Its table (6, 4), or origins (7, 6).
 
     Attributes:
-        said: What was said of them.
+        fault: What the code returned for the numbers.
         numbers: What was filled in, in the order of the structure in C.
     """
 
     def __init__(self, python: ModuleType, given: FloatArray) -> None:
         calls = vars(python)["_CALLS"]
-        arm, self.said = calls["worked_out"](given)
+        arm, self.fault = calls["worked_out"](given)
         # The compiler's own runtime is imported before the copy beside the module: what is compiled
         # apart of the same text is compiled once.
         self._arm = CalibratedArm(given, arm, calls)
@@ -147,7 +147,7 @@ class FleetArm:
         given: Its table (6, 4), or origins (7, 6).
 
     Attributes:
-        said: What was said of them.
+        fault: What the code returned for the numbers.
         members: What was filled in.
     """
 
@@ -158,11 +158,11 @@ class FleetArm:
         rows = np.ascontiguousarray(given, np.float64)
         suffix = "" if rows.shape == TABLE_SHAPE else "_origins"
         function = library[f"{self._name}_calibrate{suffix}"]
-        self.said = int(function(_pointer(rows), ctypes.byref(self.members)))
+        self.fault = int(function(_pointer(rows), ctypes.byref(self.members)))
 
     @property
     def numbers(self) -> FloatArray:
-        """The same as one array."""
+        """The arm's numbers as one array."""
         return np.frombuffer(bytes(self.members), np.float64)
 
     def fk(self, q: FloatArray) -> FloatArray:
@@ -241,7 +241,7 @@ def _checked(
 ) -> Rows:
     """The rows of poses: each meets its pose, and one holds the joint values that it is of."""
     name, weights = kind.module.name, np.array([1.0, 1.0, 1.0, 1.0 / kind.nominal.chain.size])
-    if arm.said != TAKEN:
+    if arm.fault != TAKEN:
         raise VerificationError(f"{name}: does not take the table\n{table}")
     found = arm.batch(T)
     for joints, pose, rows, status in zip(q, T, *found, strict=True):
@@ -267,7 +267,7 @@ def _turned(q: FloatArray, joints: FloatArray) -> FloatArray:
 
 
 def _compare(found: list[Rows], kind: Kind, table: FloatArray, T: FloatArray) -> None:
-    """All languages give the same rows: order may be rounding's where first joints agree."""
+    """All languages give equal rows: order may be rounding's where first joints agree."""
     (rows, status), *others = found
     for other, kinds in others:
         for number, pose in enumerate(T):

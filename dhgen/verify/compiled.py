@@ -2,8 +2,8 @@
 
 Compiling takes longer than all the rest. Verification does it anyway, of files in a temporary
 folder; what it made fits the same text wherever that lies (`key` of `dhgen_runtime/jit.py`), though
-tracebacks out of it name that folder. Older numbas than 0.68 tell texts by their times, and compile
-again.
+tracebacks out of it name that folder. Older numbas than 0.68 compare texts by their times, and
+compile again.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 def import_temporary(path: Path) -> ModuleType:
-    """Imports a module from a temporary folder, where what numba compiles of it stays, too."""
+    """Imports a module from a temporary folder, where numba keeps what it compiles of it, too."""
     if config is None:
         return import_module(path)
     kept, config.CACHE_DIR = config.CACHE_DIR, ""  # NUMBA_CACHE_DIR would keep it for good
@@ -44,9 +44,8 @@ def import_temporary(path: Path) -> ModuleType:
 def compiled_code(module: ModuleType) -> Mapping[str, bytes]:
     """What numba made of an imported module and of the runtime; nothing without numba.
 
-    Files of numba's cache, by their names, before which stand their folders in the runtime for
-    those of its own: there numba keeps what it compiles of a text of the runtime for one robot,
-    too, and what it made for others.
+    Files of numba's cache, by their names, with folders for files of the runtime: there numba keeps
+    what it compiles of a text of the runtime for one robot, too, and what it made for others.
     """
     made: dict[str, bytes] = {}
     for place, text, folder in _cached(module):
@@ -60,8 +59,8 @@ def compiled_code(module: ModuleType) -> Mapping[str, bytes]:
 def runtime_code() -> Mapping[str, bytes]:
     """What numba keeps of the compiler's own runtime, by names as in `compiled_code`.
 
-    What solves all joints at once is compiled once for all robots: a text that is imported first
-    serves wherever else it lies, too.
+    What solves all joints at once is compiled once for all robots: the text imported first is used
+    wherever else it lies, too.
     """
     if config is None:
         return {}
@@ -89,11 +88,11 @@ def _function(name: str) -> str:
 
 
 def keep_compiled(code: Mapping[str, bytes], path: Path) -> None:
-    """Puts compiled code where numba looks for that of a module and of the runtime beside it.
+    """Puts compiled code where numba looks for the code of a module and of the runtime beside it.
 
-    What numba has there of a function of the same text stays: its index may have other numbers for
-    the code of other arguments. Names hold the digest of a text: code of other texts of the module
-    is removed. Where nothing can be written, whoever imports the module compiles it anew.
+    What numba has there of a function of the same text is kept: its index may have other numbers
+    for the code of other arguments. Names hold the digest of a text: code of other texts of the
+    module is removed. Where nothing can be written, whoever imports the module compiles it anew.
 
     Args:
         code: What `compiled_code` gave for the same text.

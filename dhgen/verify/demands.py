@@ -83,8 +83,8 @@ class Demands:
     ) -> None:
         """Joint values reproduce their pose and agree up to rounding, as far as that fixes them.
 
-        Where two branches meet beside a place where a joint is free, the row that both have stands
-        for joint values that may be far apart.
+        Where two branches meet near a place where a joint is free, the row that both have
+        represents joint values that may be far apart.
         """
         if not len(rows):
             return
@@ -96,7 +96,7 @@ class Demands:
     def _compared(
         self, rows: FloatArray, others: FloatArray, T: FloatArray, missed: float
     ) -> tuple[FloatArray, float]:
-        """By how much joint values differ, 0 where they stand for one; what is enough."""
+        """By how much joint values differ, 0 where they are one solution; and what is enough."""
         misses, enough = self.measures.joint_miss(rows, others).max(axis=1), AGREEMENT
         if not misses.max() <= enough:
             enough = max(enough, missed) / min(max(self.measures.fixed(rows), 1e-9), 1.0)
@@ -108,8 +108,8 @@ class Demands:
     ) -> bool:
         """Whether two languages' rows (branches, n) are the same solutions, in whatever rows.
 
-        Where the arm is singular rounding decides in which row a solution stands, and which of
-        those that differ by a free joint. Rows elsewhere are compared one by one.
+        Where the arm is singular rounding decides in which row a solution is, and which of the
+        solutions that differ by a free joint. Rows elsewhere are compared one by one.
         """
         held, its = filled(rows), filled(others)
         missed = max(self.reproduce(each, T, where) for each in (rows[held], others[its]))
@@ -122,7 +122,7 @@ class Demands:
         )
 
     def _are_among(self, rows: FloatArray, others: FloatArray, T: FloatArray) -> bool:
-        """Whether each of some rows at an edge stands for one of others."""
+        """Whether each of some rows at an edge represents one of others."""
         return all(any(self._stand_for_one(row, other, T) for other in others) for row in rows)
 
     def reproduce(self, rows: FloatArray, T: FloatArray, where: str) -> float:
@@ -154,7 +154,7 @@ class Demands:
         return float(self.measures.joint_miss(rows, q).max(axis=1).min())
 
     def is_as_good(self, rows: FloatArray, q: FloatArray, T: FloatArray) -> bool:
-        """Whether the pose hardly tells joint values from those of a row with no free joint.
+        """Whether joint values differ from a row with no free joint by less than a pose fixes.
 
         Of an arm that is singular there rounding moves them: where two solutions meet beside a
         place where a joint is free, as far as all joint values in between reach the pose. Where
@@ -175,7 +175,7 @@ class Demands:
 
     def are_at_an_edge(self, rows: FloatArray) -> bool:
         """Whether the arm is so singular at each of these that rounding may decide on them."""
-        return all(self.measures.fixed(row) <= TOLERANCES.told for row in rows)
+        return all(self.measures.fixed(row) <= TOLERANCES.distinct for row in rows)
 
     def nearest(self, found: FloatArray, q: FloatArray, where: str) -> None:
         """The generating joint values are the nearest to themselves."""

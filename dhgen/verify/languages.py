@@ -72,18 +72,18 @@ class Languages:
             if not compared or (singular and place > 0):
                 self._demands.reproduce(other[filled(other)], T, where)
                 continue
-            told, other_told = filled(rows), filled(other)
+            has, other_has = filled(rows), filled(other)
             differ = status != other_status
-            doubted = np.concatenate([rows[differ & told], other[differ & other_told]])
+            doubted = np.concatenate([rows[differ & has], other[differ & other_has]])
             if (
                 singular
-                and np.array_equal(status[~told & ~other_told], other_status[~told & ~other_told])
+                and np.array_equal(status[~has & ~other_has], other_status[~has & ~other_has])
                 and self._demands.are_at_an_edge(doubted)
                 and self._demands.hold_the_same(rows, other, T, where)
             ):
                 continue
-            both, alone = told & other_told, told != other_told
-            lone = np.concatenate([rows[alone & told], other[alone & other_told]])
+            both, alone = has & other_has, has != other_has
+            lone = np.concatenate([rows[alone & has], other[alone & other_has]])
             known = np.array_equal(status[~alone], other_status[~alone])
             if not known or not self._may_be_alone(lone, T, where, singular=singular):
                 raise VerificationError(f"{where}: Python gives {status}, C gives {other_status}")
@@ -129,8 +129,8 @@ class Languages:
             for number, (T, rows, status) in enumerate(zip(poses, many, statuses, strict=True)):
                 one, one_status = alone(T, *(g[number] for g in given))
                 if not np.array_equal(status, one_status):
-                    told = f"pose {number} has {status}, alone {one_status}"
-                    raise VerificationError(f"{where}: {told}")
+                    message = f"pose {number} has {status}, alone {one_status}"
+                    raise VerificationError(f"{where}: {message}")
                 held = filled(one)
                 self._demands.agree(rows[held], one[held], T, language, f"{where}, pose {number}")
 
@@ -149,13 +149,13 @@ class Languages:
             _, statuses = batch(poses, *self._demands.given(q))
             accepted = poses[(statuses != self.python.INVALID_POSE).any(axis=1)]
             if len(accepted):
-                told = f"a batch of the {language} accepted an invalid pose:\n{accepted[0]}"
-                raise VerificationError(f"{self._module.name}: {told}")
+                message = f"a batch of the {language} accepted an invalid pose:\n{accepted[0]}"
+                raise VerificationError(f"{self._module.name}: {message}")
 
     def whole(
         self, T: FloatArray, q: FloatArray, rows: FloatArray, status: NDArray[np.uint8], where: str
     ) -> None:
-        """What serves singular poses in Python gives the same at ordinary ones."""
+        """Python's code for singular poses gives the same rows at regular ones."""
         calls, given = self.python._CALLS, self._demands.given(q)  # noqa: SLF001
         values = given[0] if given else np.zeros(1)
         _, pose = calls["read"](T, values)
@@ -175,10 +175,10 @@ class Languages:
             self._demands.nearest(found, q, f"{where}: {what}")
 
     def arm_angles(self, rows: FloatArray, q: FloatArray, where: str) -> None:
-        """Every row has the arm angle of the generating joint values, and the files say so."""
+        """Every row, and the files' function, has the arm angle of the generating joints."""
         if not self._chain.arm_angle:
             return
         asked = self._demands.values(q)
-        told = [self.python.arm_angle(q), *(build.arm_angle(q) for build in self._builds)]
-        for angles in (self._demands.values(rows), np.array(told)[:, None]):
+        by_language = [self.python.arm_angle(q), *(build.arm_angle(q) for build in self._builds)]
+        for angles in (self._demands.values(rows), np.array(by_language)[:, None]):
             self._demands.arm_angle(angles, asked, where)

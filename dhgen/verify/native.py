@@ -57,8 +57,9 @@ NATIVE = Build("native", ("-O2", "-march=native", *FAST_FLAGS))
 def import_module(path: Path, *, lend: bool = True) -> ModuleType:
     """Imports a written module from its file, under a name of its own.
 
-    Of the runtime beside it nothing stays registered either: the folder may be a passing one. Where
-    that is the compiler's own, it is imported from there: numba keeps there what it compiles of it.
+    Nothing of the runtime beside it remains registered either: the folder may be a passing one.
+    Where that is the compiler's own, it is imported from there: numba keeps there what it compiles
+    of it.
 
     Args:
         path: The module.
@@ -214,15 +215,15 @@ def compile_solver(
     if compiler is None:
         return None
     library = folder / f"{name}-{build.name}.so"
-    told = _compiled(compiler, build.flags, source, library)
-    if told:
+    complaints = _compiled(compiler, build.flags, source, library)
+    if complaints:
         _demand_compiler(compiler, folder)
-        raise VerificationError(f"{source.name} does not compile:\n{told}")
+        raise VerificationError(f"{source.name} does not compile:\n{complaints}")
     return CompiledSolver(ctypes.CDLL(str(library)), name, dof, rows, free)
 
 
 def _compiled(compiler: str, flags: tuple[str, ...], source: Path, library: Path) -> str:
-    """Compiles a file; what the compiler says against it, nothing where it did."""
+    """Compiles a file; returns the compiler's messages, nothing where it succeeded."""
     command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", str(source), "-o", str(library)]
     # Without a PATH it was found where the system keeps commands; it looks for its own in PATH.
     place = {"PATH": os.environ.get("PATH", os.defpath)}
@@ -236,9 +237,9 @@ def _demand_compiler(compiler: str, folder: Path) -> None:
     """CompilerError where it refuses a file of which it takes nothing but a library to refuse."""
     source = folder / "dhgen_nothing.c"
     source.write_text(NOTHING, encoding="utf-8")
-    if told := _compiled(compiler, (), source, source.with_suffix(".so")):
+    if errors := _compiled(compiler, (), source, source.with_suffix(".so")):
         raise CompilerError(
-            f"the C compiler {compiler} can't build anything here:\n{told}\n"
+            f"the C compiler {compiler} can't build anything here:\n{errors}\n"
             "fix it, or set $CC to another compiler"
         )
 

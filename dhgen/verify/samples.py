@@ -9,7 +9,7 @@ import numpy as np
 
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.task import task_rates, telling_entries, units
+from dhgen.kinematics.task import compared_entries, task_rates, units
 from dhgen.robot.robot import JointKind
 from dhgen.robot.task import TaskKind
 from dhgen.verify.singular import TRIED, singular_places, whole_turns
@@ -44,7 +44,7 @@ class Sample:
 
 
 def samples(chain: Chain, count: int) -> tuple[Sample, ...]:
-    """Every sort of joint values, `count` of each; the same at every run."""
+    """Every sort of joint values, `count` of each; equal at every run."""
     source = np.random.default_rng(7)
     everywhere = _uniform(chain, source, count)
     right = _right_angles(chain, source, count)
@@ -106,7 +106,7 @@ def _ranges(chain: Chain) -> tuple[FloatArray, FloatArray]:
 
 
 def _strokes(chain: Chain) -> tuple[FloatArray, FloatArray]:
-    """The same with whole turns of every joint that turns."""
+    """Samples with whole turns of every joint that turns."""
     turn, size = (-np.pi, np.pi), (-chain.size, chain.size)
     pairs = [
         turn if joint.kind is JointKind.REVOLUTE else joint.limits or size for joint in chain.joints
@@ -146,7 +146,7 @@ def _right_angles(chain: Chain, source: np.random.Generator, count: int) -> Floa
 
 def spoiled_poses(task: Task, T: FloatArray) -> list[FloatArray]:
     """Poses like T that are none: not finite, mirrored, stretched, in other coordinates."""
-    name = min(telling_entries(task), key=lambda name: (name[2] != "4", name))
+    name = min(compared_entries(task), key=lambda name: (name[2] != "4", name))
     row, column = POSE_PLACES[name]
     spoiled = [T.copy() for _ in range(4 if task.names_rotation else 2)]
     spoiled[0][row, column] = np.nan

@@ -1,8 +1,8 @@
 """Proves that C in single precision does what it promises, or refuses it.
 
 Poses are computed in double precision and rounded; what comes back is put through the same
-independent forward model. Single precision can't tell a pose at a singularity from one beside it,
-so which rows are filled there is not compared with double precision.
+independent forward model. Single precision can't distinguish a pose at a singularity from one near
+it, so which rows are filled there is not compared with double precision.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def verify_single(module: SolverModule, folder: Path) -> float | None:
         The largest miss of a row, in arm sizes; None without a compiler.
 
     Raises:
-        VerificationError: Something is not as promised; the text says what, and on which joints.
+        VerificationError: Something is not as promised; the text names it, and the joints.
     """
     shape = (module.chain.dof, module.solver.rows, module.chain.given)
     solver = compile_solver(folder / f"{module.name}.c", folder, module.name, *shape)

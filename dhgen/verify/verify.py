@@ -65,7 +65,7 @@ def verify(module: SolverModule, folder: Path) -> Report:
     """Checks the files of a robot as they lie in a folder.
 
     Raises:
-        VerificationError: Something is not as promised; the text says what, and on which joints.
+        VerificationError: Something is not as promised; the text names it, and the joints.
     """
     try:
         return _verify(module, folder)
@@ -96,7 +96,7 @@ def imported(module: SolverModule, folder: Path) -> ModuleType:
     """The Python module of a robot from a temporary folder.
 
     What solves for all joints is the compiler's own, imported before the robot's copy of the text:
-    its compiled code stays.
+    its compiled code is kept.
     """
     if (whole := whole_arm(module.solver)) is not None:
         whole_solver(whole)
@@ -110,7 +110,7 @@ class _Checker:
         self._demands = demands
         self._python = languages.python
         self._chain = module.chain
-        # which starts lead where hangs on rounding
+        # which solution a start reaches depends on rounding
         self._repeatable = module.method is not Method.NUMERICAL
         none = (-np.inf, np.inf)
         self._limits = np.array([joint.limits or none for joint in self._chain.joints]).T
@@ -164,7 +164,7 @@ class _Checker:
     def _expected(
         self, meant: FloatArray, rows: FloatArray, held: NDArray[np.bool_], where: str
     ) -> FloatArray:
-        """What rows hold of what the program means: by posture its rows stand in other places."""
+        """The program's rows in the files' order: by posture they are in other places."""
         if self._module.nominal is None:
             return meant[held]
         there = meant[~np.isnan(meant).any(axis=1)]

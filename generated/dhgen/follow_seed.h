@@ -9,8 +9,8 @@
 #include "refine.h"
 #include "tolerances.h"
 
-/* Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
- * then rounding, and differs between languages. The first row is taken. */
+/* Misses half way to two rows whose ratio is below this are equal but for rounding, which differs
+ * between languages. The first row is taken. */
 #define DHGEN_ALIKE 2.0
 
 /* Takes joint values to the solution next to the seed that keeps the caller's values and, where
@@ -20,7 +20,8 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
 {
     for (int i = 0; i < dhgen_dof(arm); i++) {
         double here = seed[i];
-        if (arm->winds && !(fabs(dhgen_past_an_end(arm, i, here)) <= DHGEN_BESIDE_SEED))
+        if (arm->range_exceeds_a_turn
+            && !(fabs(dhgen_past_an_end(arm, i, here)) <= DHGEN_BESIDE_SEED))
             here = dhgen_turned(arm, i, here, here);
         x[i] = arm->clamps ? here - dhgen_past_an_end(arm, i, here) : here;
     }
@@ -33,8 +34,7 @@ DHGEN_FN int dhgen_beside_seed(const struct dhgen_arm *arm, const double *T,
         && !(arm->beyond && arm->beyond(arm, x) > DHGEN_LIMIT);
 }
 
-/* Gives the solution next to the seed a row where solutions differ by less than rounding: its own,
- * one as good, one left, or any. */
+/* Gives the solution next to the seed a row: its own, one as good, one left, or any. */
 DHGEN_FN void dhgen_follow_seed(const struct dhgen_arm *arm, const double *T,
     const double *free_joints, const double *seed, double *q, unsigned char *status)
 {

@@ -213,7 +213,7 @@ DHGEN_FN int dhgen_refine_inside(
     double x[DHGEN_JOINTS], e[6];
     if (dhgen_refine(arm, T, -more, most, q))
         return 1;
-    if (!arm->winds)
+    if (!arm->range_exceeds_a_turn)
         return 0;
     int past = 0;
     for (int i = 0; i < dhgen_dof(arm); i++)

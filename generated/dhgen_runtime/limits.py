@@ -8,7 +8,17 @@ from typing import TYPE_CHECKING
 
 from .coupled_turns import coupled_beyond, turns_coupled
 from .jit import of_file
-from .places import COUPLING, DOF, HIGHEST, LOWEST, RECORD, SLACK, TURNS, WEIGHT, WINDS
+from .places import (
+    COUPLING,
+    DOF,
+    HIGHEST,
+    LOWEST,
+    RANGE_EXCEEDS_A_TURN,
+    RECORD,
+    SLACK,
+    TURNS,
+    WEIGHT,
+)
 from .tolerances import BESIDE_SEED, DOUBTFUL
 from .turns import TURN, turned
 
@@ -63,7 +73,7 @@ def past_an_end(arm: Floats, joint: int, value: float) -> float:
     Where the range is nearly a turn the value is not turned: that would take it across the gap.
     """
     at = RECORD * joint
-    if arm[WINDS] == 0.0 or arm[HIGHEST + at] - arm[LOWEST + at] < NEARLY_A_TURN:
+    if arm[RANGE_EXCEEDS_A_TURN] == 0.0 or arm[HIGHEST + at] - arm[LOWEST + at] < NEARLY_A_TURN:
         return overshoot(arm, joint, value)
     low, high = ends_of(arm, joint)
     off: float = value - min(max(value, low), high)

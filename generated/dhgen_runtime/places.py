@@ -23,7 +23,7 @@ _, POINTING, ROTATION, YAW, PITCH, TILT = map(float, range(6))
 # Whether a step is taken around the formulas, each under its name in `arm.STEPS`.
 RETRIES, CHECKS, KEEPS_LIMITS = range(13, 16)
 COMPLETES, ADDS_OTHERS, ASCENDS, EQUATIONS_END_ALL = range(16, 20)
-MERGES, REFINES, CLAMPS, CLAMPS_FAR, WINDS, FOLLOWS_SEED = range(20, 26)
+MERGES, REFINES, CLAMPS, CLAMPS_FAR, RANGE_EXCEEDS_A_TURN, FOLLOWS_SEED = range(20, 26)
 
 DESCENTS = 26  # where the numbers of the arm begin that descents work on (numerical/places.py)
 COUPLING = 27  # where those of coupled drives begin (coupled_turns.py); 0 where none are

@@ -20,11 +20,11 @@ from .places import (
     PER_LENGTH,
     PITCH,
     POINTING,
+    RANGE_EXCEEDS_A_TURN,
     RECORD,
     ROTATION,
     TURNS,
     WEIGHT,
-    WINDS,
     YAW,
 )
 from .serial import forward, rates
@@ -260,7 +260,7 @@ def refine_inside(
     past = 0
     for i in range(len(q)):
         past += moves(arm, i) and past_an_end(arm, i, q[i]) != 0.0
-    if arm[WINDS] == 0.0 or past < 2:
+    if arm[RANGE_EXCEEDS_A_TURN] == 0.0 or past < 2:
         return False
     x, farther = q.copy(), NEXT_INSIDE
     enough = measure_miss(arm, robot, pose, q, np.empty(6)) + more

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import dhgen
-from dhgen.library.progress import tell_who_waits
+from dhgen.library.progress import show_progress
 
 ROOT = Path(__file__).resolve().parents[2]
 LARGE = {"sympy", "numba", "numpy", "pydantic", "ruamel", "jinja2", "dhgen.errors", "argparse"}
@@ -47,8 +47,8 @@ def test_all_names_are_there() -> None:
 def test_a_person_who_waits_is_told(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    tell_who_waits("deriving")
+    show_progress("deriving")
     assert capsys.readouterr() == ("", "")
     monkeypatch.setattr(sys, "ps1", ">>> ", raising=False)
-    tell_who_waits("deriving")
+    show_progress("deriving")
     assert capsys.readouterr() == ("", "dhgen: deriving ...\n")

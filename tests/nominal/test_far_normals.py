@@ -73,7 +73,7 @@ def test_tables_with_far_normals_are_taken_by_what_links_differ(
     table = displaced(np.array(kind("ur5e").table.rows), noise, seed)
     assert np.abs(table[:, 1]).max() > FAR
     arm = FleetArm(compiled(folder, "ur5e"), kind("ur5e"), table)
-    assert arm.said == TAKEN
+    assert arm.fault == TAKEN
     size = kind("ur5e").nominal.chain.size
     # five links, each moved by no more than five deviations in each of three directions, and turned
     assert arm.numbers[TURNED] < 5 * 5 * math.sqrt(3.0) * noise

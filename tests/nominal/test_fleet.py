@@ -66,7 +66,7 @@ def test_rows_are_all_solutions_of_the_table(name: str, noise: float, folder: Pa
         FleetArm(library, kind(name), table)
         for library in (fleet, compiled(folder, name, f"-D{upper}_PLAIN"))
     )
-    assert arm.said == TAKEN
+    assert arm.fault == TAKEN
     T = poses_of(kind(name), table, q)
     rows, status = arm.batch(T)
     wanted, kinds = plain.batch(T)
@@ -197,17 +197,17 @@ def test_angles_of_an_arm_know_no_unit_of_lengths(folder: Path) -> None:
 def test_tables_that_are_not_taken(folder: Path) -> None:
     name = "puma560"
     library, nominal = compiled(folder, name), np.array(kind(name).table.rows)
-    assert FleetArm(library, kind(name), nominal).said == NO_MISS
+    assert FleetArm(library, kind(name), nominal).fault == NO_MISS
     longer = nominal.copy()
     longer[1, 2] += 1e-3  # the wrist still has one centre: that is another closed form
-    assert FleetArm(library, kind(name), longer).said == NO_MISS
+    assert FleetArm(library, kind(name), longer).fault == NO_MISS
     longer[4, 2] += 1e-4
-    assert FleetArm(library, kind(name), longer).said == TAKEN
+    assert FleetArm(library, kind(name), longer).fault == TAKEN
     other = table_of(name, 1e-4)
     other[2, 1] += 0.2
-    assert FleetArm(library, kind(name), other).said == ANOTHER_ARM
+    assert FleetArm(library, kind(name), other).fault == ANOTHER_ARM
     other[2, 1] = np.nan
-    assert FleetArm(library, kind(name), other).said == NOT_FINITE
+    assert FleetArm(library, kind(name), other).fault == NOT_FINITE
 
 
 def test_arms_that_are_not_taken_have_their_pose(folder: Path) -> None:
@@ -216,7 +216,7 @@ def test_arms_that_are_not_taken_have_their_pose(folder: Path) -> None:
     library, nominal = compiled(folder, name), np.array(kind(name).table.rows)
     for table, said in ((nominal, NO_MISS), (nominal + 0.3, ANOTHER_ARM)):
         arm = FleetArm(library, kind(name), table)
-        assert arm.said == said
+        assert arm.fault == said
         T = poses_of(kind(name), table, q)
         np.testing.assert_allclose([arm.fk(each) for each in q], T, rtol=0.0, atol=1e-13)
         for pose, rows in zip(T, arm.batch(T)[0], strict=True):
@@ -231,7 +231,7 @@ def test_a_table_that_is_not_finite_leaves_nothing_behind(folder: Path) -> None:
     T = poses_of(kind(name), table, q)
     table[5, 3] = np.inf
     arm = FleetArm(compiled(folder, name), kind(name), table)
-    assert arm.said == NOT_FINITE
+    assert arm.fault == NOT_FINITE
     assert np.isnan(arm.numbers).all()
     assert np.isnan(arm.fk(q[0])[:3]).all()
     rows, status = arm.batch(T)

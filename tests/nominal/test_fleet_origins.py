@@ -110,7 +110,7 @@ def test_frames_of_a_table_make_the_arm_of_the_table(name: str, folder: Path) ->
     table, q = table_of(name, 1e-4), random_joints(POSES)
     origins, library = origins_of(name, table), compiled(folder, name)
     arm, own = FleetArm(library, kind(name), origins), FleetArm(library, kind(name), table)
-    assert arm.said == own.said == TAKEN
+    assert arm.fault == own.fault == TAKEN
     T = poses_of(kind(name), table, q)
     np.testing.assert_allclose(poses(name, origins, q), T, rtol=0.0, atol=1e-13)
     np.testing.assert_allclose([arm.fk(each) for each in q], T, rtol=0.0, atol=1e-13)
@@ -126,7 +126,7 @@ def test_a_driver_s_file(folder: Path) -> None:
         FleetArm(library, kind("ur5e"), origins)
         for library in (compiled(folder, "ur5e"), compiled(folder, "ur5e", "-DUR5E_FLEET_PLAIN"))
     )
-    assert arm.said == TAKEN
+    assert arm.fault == TAKEN
     T = poses("ur5e", origins, q)
     rows, status = arm.batch(T)
     assert_alike((rows, status), plain.batch(T))
@@ -180,7 +180,7 @@ def test_origins_that_are_refused_say_which_it_is(
     origins, (row, column, value) = np.vstack([read_origins(), np.zeros(6)]), entry
     origins[row, column] = value
     begins, said = REFUSED[entry]
-    assert FleetArm(compiled(folder, "ur5e"), kind("ur5e"), origins).said == said
+    assert FleetArm(compiled(folder, "ur5e"), kind("ur5e"), origins).fault == said
     with pytest.raises(ValueError, match="origins") as refused:
         ur5e.calibrated_by_origins(origins)
     assert str(refused.value).startswith(begins)
@@ -193,7 +193,7 @@ def test_origins_that_are_refused_say_which_it_is(
 
 def test_origins_that_miss_nothing(ur5e: ModuleType, folder: Path) -> None:
     origins = origins_of("ur5e", np.array(kind("ur5e").table.rows))
-    assert FleetArm(compiled(folder, "ur5e"), kind("ur5e"), origins).said == NO_MISS
+    assert FleetArm(compiled(folder, "ur5e"), kind("ur5e"), origins).fault == NO_MISS
     with pytest.raises(ValueError, match="in origins axes 2, 3 and 4 are parallel to 1e-09, as"):
         ur5e.calibrated_by_origins(origins)
     with pytest.raises(ValueError, match=r"must have shape \(7, 6\) or \(6, 6\), not \(5, 6\)"):

@@ -94,7 +94,7 @@ def test_what_a_table_makes_of_an_arm_is_what_c_makes_of_it(name: str, folder: P
     size = max(1.0, kind(name).nominal.chain.size)
     for noise in (1e-6, 1e-4, 1e-3):
         python, c = both(folder, name, table_of(name, noise), plain=True)
-        assert python.said == c.said == TAKEN
+        assert python.fault == c.fault == TAKEN
         np.testing.assert_allclose(python.numbers, c.numbers, rtol=0.0, atol=1e-12 * size)
 
 
@@ -219,7 +219,7 @@ def test_tables_that_are_refused_say_which_number_it_is(
     table, (row, column, value) = table_of("puma560", 1e-4), entry
     table[row, column] = value
     python, c = both(folder, "puma560", table)
-    assert python.said == c.said == (ANOTHER_ARM if np.isfinite(value) else NOT_FINITE)
+    assert python.fault == c.fault == (ANOTHER_ARM if np.isfinite(value) else NOT_FINITE)
     with pytest.raises(ValueError, match="table") as refused:
         module(folder, "puma560").calibrated(table)
     begins, ends = ENTRIES[entry]
@@ -236,7 +236,7 @@ def test_origins_of_another_arm_are_refused(folder: Path) -> None:
 def test_tables_that_miss_nothing_say_which_axes_it_is(folder: Path) -> None:
     made, other = module(folder, "puma560"), module(folder, "ur5e", plain=True)
     python, c = both(folder, "puma560", np.array(made.NOMINAL))
-    assert python.said == c.said == NO_MISS
+    assert python.fault == c.fault == NO_MISS
     with pytest.raises(ValueError, match="in table axes 2, 3 and 4 are parallel to 1e-09, as"):
         other.calibrated(other.NOMINAL)
     with pytest.raises(ValueError, match="in table axes 4, 5 and 6 meet to 1e-09, as those of"):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task import telling_entries
+from dhgen.kinematics.task import compared_entries
 from tests.kinematics.values import number
 from tests.paul.arms import derivation, random_values
 from tests.robots.cases import NAMES
@@ -45,11 +45,11 @@ def test_two_columns_tell_a_rotation() -> None:
     Q, R = (np.linalg.qr(each)[0] for each in rng.normal(size=(2, 500, 3, 3)))
     Q, R = (each * np.linalg.det(each)[:, None, None] for each in (Q, R))
     task = derivation("wrist_zyz").problem.algebra.chain.task
-    told = [POSE_PLACES[name] for name in telling_entries(task)]
+    told = [POSE_PLACES[name] for name in compared_entries(task)]
     miss = np.abs(Q - R)
     most = np.max([miss[:, row, column] for row, column in told], axis=0)
     assert (miss.max(axis=(1, 2)) <= 3.0 * most).all()
-    assert telling_entries(derivation("planar_rr").problem.algebra.chain.task) == {"t14", "t24"}
+    assert compared_entries(derivation("planar_rr").problem.algebra.chain.task) == {"t14", "t24"}
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -379,7 +379,10 @@ def test_names_of_joints() -> None:
     assert plain.joint_names == ("joint1", "joint2")
     long = mistake(table(f"theta: q, name: {'n' * 65}"))
     assert long.endswith("it has 65 characters; at most 64 are allowed")
-    assert (plain.told((1, 2)), build_chain(robot(NAMED)).told((2,))) == ("1, 2", "2 (arm.joint:2)")
+    assert (plain.named((1, 2)), build_chain(robot(NAMED)).named((2,))) == (
+        "1, 2",
+        "2 (arm.joint:2)",
+    )
 
 
 @pytest.mark.parametrize("kind", ["table", "axes"])

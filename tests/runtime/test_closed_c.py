@@ -67,9 +67,11 @@ def _arm() -> None:
     be(COORDINATES)
 
 
-def be(task: int, low: float = LOW, high: float = HIGH, *, winds: bool = False) -> None:
+def be(
+    task: int, low: float = LOW, high: float = HIGH, *, range_exceeds_a_turn: bool = False
+) -> None:
     """Sets what is checked of a pose, the limits of joint 1 and whether ranges exceed a turn."""
-    library().set_arm(task, int(winds), ctypes.c_double(low), ctypes.c_double(high))
+    library().set_arm(task, int(range_exceeds_a_turn), ctypes.c_double(low), ctypes.c_double(high))
 
 
 def pose(q: np.ndarray) -> np.ndarray:
@@ -102,7 +104,7 @@ def test_overshoot_is_the_way_to_the_nearest_end_whole_turns_aside() -> None:
 
 
 def test_a_range_of_nearly_a_turn_has_ends_that_no_turn_leads_across() -> None:
-    be(COORDINATES, -3.14, 3.14, winds=True)
+    be(COORDINATES, -3.14, 3.14, range_exceeds_a_turn=True)
     assert call("past_an_end", 0, 3.24) == pytest.approx(0.1)
     assert call("past_an_end", 1, 3.24) == call("overshoot", 1, 3.24)  # joint 2 has a gap
     assert call("overshoot", 0, 3.24) == 0.0

@@ -16,7 +16,7 @@ from tests.runtime.arms import arm_of, called
 from tests.runtime.plain import KINDS
 
 LIMITS = ((-2.0, 2.5), (-3.1, 3.1), (-4.0, 4.0), (-0.2, 0.3), (-math.inf, math.inf))
-ARM = arm_of("RRRPR", LIMITS, steps=("winds",))
+ARM = arm_of("RRRPR", LIMITS, steps=("range exceeds a turn",))
 VALUES = np.linspace(-9.0, 9.0, 361)
 
 

@@ -55,11 +55,11 @@ def expected(known: Tolerances) -> dict[str, float]:
         "FREE": known.free,
         "MERGE": known.merge,
         "DOUBTFUL": known.doubtful,
-        "APART_BY": known.told,
+        "APART_BY": known.distinct,
         "FAR_ANGLE": known.far,
         "FINE": known.fine,
         # ten times what rounding may be, where that is more
-        "TOGETHER": max(1e-3, 10.0 * known.told),
+        "TOGETHER": max(1e-3, 10.0 * known.distinct),
         "FAMILY": max(1e-6, 10.0 * known.exact),
         # of the runtime alone
         "LAST_ROW": pose.LAST_ROW if known is DOUBLE.tolerances else 1e-6,
@@ -74,7 +74,7 @@ def test_the_table_in_c_is_that_of_the_compiler(precision: Precision) -> None:
 
 def test_a_clamped_row_does_not_become_another_branch() -> None:
     for precision in (DOUBLE, SINGLE):
-        assert table(precision)["MERGE"] <= precision.tolerances.told**2
+        assert table(precision)["MERGE"] <= precision.tolerances.distinct**2
     assert DOUBLE.tolerances.clamped <= table(DOUBLE)["MERGE"]
 
 

@@ -112,7 +112,7 @@ def test_a_mistake_in_a_table_has_its_place(
     assert second.name == (name if name == "arm" else "table 2")
     with pytest.raises(RobotFileError) as refused:
         load(second.path)
-    told = second.tell(refused.value.diagnostics[0])
+    told = second.located(refused.value.diagnostics[0])
     assert told.startswith(f"{tmp_path}/x.json: table 2: ")
     assert re.search(said, told)
     assert told.isprintable()

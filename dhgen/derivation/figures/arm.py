@@ -99,7 +99,7 @@ def _on_paper(arm: Skeleton, view: View) -> Skeleton:
 def _draw(sheet: Sheet, view: View, arm: Skeleton) -> None:
     """From what lies below to what lies above."""
     placed = placed_axes(arm.axes, arm.members)
-    ground(sheet, view, _standing(arm, placed[0]))
+    ground(sheet, view, _ground_frame(arm, placed[0]))
     for member in arm.members:
         kind = "link" if member.part in {Part.LINK, Part.SLIDE} else "held"
         sheet.line([view.point(member.start), view.point(member.end)], kind)
@@ -122,7 +122,7 @@ def _draw(sheet: Sheet, view: View, arm: Skeleton) -> None:
         label(sheet, middle, member.name, "i tn", round(along + 90.0, 3))
 
 
-def _standing(arm: Skeleton, first: Placed) -> FloatArray:
+def _ground_frame(arm: Skeleton, first: Placed) -> FloatArray:
     """The frame in which the ground is drawn: the base, below what would reach into it."""
     frame = arm.base.copy()
     at, z = frame[:3, 3].copy(), frame[:3, 2]

@@ -131,13 +131,13 @@ def _sections(arm: NumericArm, joint: int) -> Iterable[tuple[Section, int]]:
         return
     z = arm.axes(q)[0]
     upright = [are_parallel([*z[:, j - 1], UP]) for j in moving]
-    if upright[0] and _stands(arm, q, moving[0]) and (len(moving) == 1 or not all(upright)):
+    if upright[0] and _is_fixed(arm, q, moving[0]) and (len(moving) == 1 or not all(upright)):
         yield Section.HALF_PLANE, moving[0]
     if all(upright):
         yield Section.ABOVE, 0
 
 
-def _stands(arm: NumericArm, q: FloatArray, joint: int) -> bool:
+def _is_fixed(arm: NumericArm, q: FloatArray, joint: int) -> bool:
     """Whether an axis stays on one upright line."""
     at = arm.axes(q)[1][:, joint - 1, :2]
     return bool(np.abs(at - at[0]).max() < STILL * arm.chain.size)

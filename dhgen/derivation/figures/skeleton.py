@@ -11,7 +11,7 @@ import numpy as np
 from dhgen.derivation.notation.names import letter, single, theta
 from dhgen.derivation.text.show import show
 from dhgen.derivation.text.style import PLAIN
-from dhgen.derivation.text.walk import leads_negative
+from dhgen.derivation.text.walk import begins_negative
 from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.normal import normal_form
 from dhgen.kinematics.numeric import numeric_arm
@@ -268,7 +268,7 @@ class _Reader:
     def _name(self, length: Polynomial) -> str:
         lifted = length.set_ring(self.story.algebra.ring)
         formula = self.story.write(lifted)
-        if leads_negative(formula):
+        if begins_negative(formula):
             formula = self.story.write(-lifted)
         return show(formula, PLAIN)
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 # The words of the steps as an algorithm.
-_SAID = re.compile(r"\b(?:for|if|else|alone)\b|no solution|the seed's value")
+_TRANSLATED = re.compile(r"\b(?:for|if|else|alone)\b|no solution|the seed's value")
 _ROW, _ROOT = re.compile(r" row (\d+)(?: (?= ))?"), "root "
 _FIRST = ord(MARKS[0])
 _MARK = re.compile(MARK)
@@ -134,7 +134,7 @@ def _listing(text: str) -> str:
     """An algorithm with its words in French; nothing for a tree."""
     if _ROW.search(text):
         return ""
-    return _SAID.sub(lambda word: french(word[0]) or "", text).replace(": ", " : ")
+    return _TRANSLATED.sub(lambda word: french(word[0]) or "", text).replace(": ", " : ")
 
 
 def _tree(text: str) -> str:

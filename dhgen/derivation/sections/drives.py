@@ -67,9 +67,9 @@ def _joints_moved(story: Story, moved: list[int]) -> list[Block]:
     what = "length" if all(slides) else "value" if any(slides) else "angle"
     plural = len(moved) > 1
     which = many("joint", [str(number) for number in sorted(moved)])
-    told = f"the {what}{'s' * plural} of {which} {'are' if plural else 'is'}"
+    clause = f"the {what}{'s' * plural} of {which} {'are' if plural else 'is'}"
     return [
-        paragraph(_TEXT, _Q, _I, say(told)),
+        paragraph(_TEXT, _Q, _I, say(clause)),
         display(*(_there(story, number) for number in sorted(moved))),
         paragraph(_BACK, _letters(story)),
         display(*(drive_value(story, number) for number in moved)),

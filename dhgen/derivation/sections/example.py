@@ -288,14 +288,14 @@ def _sums_left(story: Story, found: SingularExample) -> dict[int, Formula]:
     left = found.place.left
     if left is None:
         return {}
-    told: dict[int, Formula] = {}
+    sums: dict[int, Formula] = {}
     for row in np.flatnonzero(found.free).tolist():
         letters = letters_of_joints(story, found.rows[row].tolist())
         combination = left.combination(1 if value_of(left.between, letters) > 0.0 else -1)
         value = value_of(combination, letters)
         turned = math.remainder(value - NEAR_HALF_TURN, 2.0 * math.pi) + NEAR_HALF_TURN
-        told[row] = equal(combination, degrees(turned))
-    return told
+        sums[row] = equal(combination, degrees(turned))
+    return sums
 
 
 def all_rows(

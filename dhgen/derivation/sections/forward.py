@@ -129,8 +129,8 @@ def _expanded(story: Story) -> list[Block]:
     ]
     if not changed:
         return []
-    told = paragraph("In expanded form the entries of {} that hold sums of angles are", name)
-    return [Folded("The same without sums of angles", (told, display(*changed)))]
+    intro = paragraph("In expanded form the entries of {} that hold sums of angles are", name)
+    return [Folded("The same without sums of angles", (intro, display(*changed)))]
 
 
 def _tool(story: Story) -> list[Block]:

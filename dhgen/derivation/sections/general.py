@@ -195,9 +195,9 @@ def near_blocks(chain: Chain, unit: str) -> list[Block]:
     triples = [t for t in axis_triples(chain) if min(t.tilt, t.miss / chain.size) >= EXACT]
     apart = [t for t in triples if t.miss < NEARLY_CONCURRENT * chain.size]
     leaning = [t for t in triples if t not in apart and t.tilt < NEARLY_PARALLEL]
-    said = [f"{_axes(t)} are not quite parallel but {_degrees(t)} apart" for t in leaning]
-    said += [f"{_axes(t)} do not meet in one point: {_missed(t, chain, unit)}" for t in apart]
-    return [paragraph(f"{MISSED}{'; '.join(said)}.")] if said else []
+    clauses = [f"{_axes(t)} are not quite parallel but {_degrees(t)} apart" for t in leaning]
+    clauses += [f"{_axes(t)} do not meet in one point: {_missed(t, chain, unit)}" for t in apart]
+    return [paragraph(f"{MISSED}{'; '.join(clauses)}.")] if clauses else []
 
 
 def _missed(triple: Triple, chain: Chain, unit: str) -> str:

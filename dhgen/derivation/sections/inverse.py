@@ -45,7 +45,7 @@ def inverse_beginning(story: Story) -> list[Block]:
     blocks: list[Block] = [Heading(2, say("Inverse"))]
     blocks += _given(story)
     blocks += types_table(story)
-    blocks += _stay(story)
+    blocks += _left_over(story)
     return [*blocks, *shoulder_blocks(story)]
 
 
@@ -169,22 +169,22 @@ def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
     return [paragraph("With {} its entries are", entries), *shown]
 
 
-def _stay(story: Story) -> list[Block]:
+def _left_over(story: Story) -> list[Block]:
     """Base and tool that remain on the right, because the task does not give the whole pose."""
     problem = story.derivation.problem
     chain = story.algebra.chain
     still = identity(chain.ring)
-    stays: list[Prose] = []
+    left: list[Prose] = []
     if not problem.base_left and chain.base != still:
-        stays.append(say("{} stands for {}", link(1), times(BASE, link(1))))
+        left.append(say("{} stands for {}", link(1), times(BASE, link(1))))
     if not chain.task.names_rotation and chain.tool != still:
         behind = [tool_back(story)] if moved_left(story)[1] else []
         all_of_it = times(link(chain.dof), TOOL, *behind)
-        stays.append(say("{} stands for {}", link(chain.dof), all_of_it))
-    if not stays:
+        left.append(say("{} stands for {}", link(chain.dof), all_of_it))
+    if not left:
         return []
     text = (
         "The task gives only a part of the pose; moving a constant frame to the other side would "
         "mix that part with the rest, so it stays where it is: in this section {}."
     )
-    return [paragraph(text, joined(stays))]
+    return [paragraph(text, joined(left))]

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 TITLE = "The steps as an algorithm"
-SAID = "The letters in the order in which they become known, with the branches:"
+INTRO = "The letters in the order in which they become known, with the branches:"
 TOO_WIDE = "As an algorithm the steps would have lines that are wider than a page."
 TOO_LONG = "As an algorithm the steps would fill more than a page."
 INDENT = "  "
@@ -47,7 +47,7 @@ def listing_blocks(story: Story) -> list[Block]:
         return [paragraph(TOO_WIDE)]
     if len(lines) > MOST:
         return [paragraph(TOO_LONG)]
-    return [Folded(TITLE, (paragraph(SAID), Drawing("\n".join(lines))))]
+    return [Folded(TITLE, (paragraph(INTRO), Drawing("\n".join(lines))))]
 
 
 def _lines(story: Story) -> Iterator[str]:

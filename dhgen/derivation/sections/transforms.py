@@ -71,8 +71,8 @@ def transform_blocks(
     if before is None or not shared:
         return [display(*entries)]
     end = "; the other entries are" if entries else "."
-    told = Paragraph(say("{}" + end, _told(shared, name, before[0])))
-    return [told, display(*entries)] if entries else [told]
+    intro = Paragraph(say("{}" + end, _known_entries(shared, name, before[0])))
+    return [intro, display(*entries)] if entries else [intro]
 
 
 def _shared(transform: Transform, before: Transform) -> dict[int, tuple[int, int]]:
@@ -90,7 +90,7 @@ def _shared(transform: Transform, before: Transform) -> dict[int, tuple[int, int
     }
 
 
-def _told(shared: dict[int, tuple[int, int]], name: Formula, earlier: Formula) -> Prose:
+def _known_entries(shared: dict[int, tuple[int, int]], name: Formula, earlier: Formula) -> Prose:
     """Columns 4 and 2 of T_5^0 are column 4 and minus column 3 of T_4^0.
 
     Opposite ones come last, so that no minus seems to belong to what follows.

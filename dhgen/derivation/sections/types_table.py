@@ -139,10 +139,10 @@ def _rule_of_signs(story: Story) -> list[Block]:
 
 def _in_the_course(story: Story) -> list[Block]:
     """How the courses write solutions that look otherwise here."""
-    told: list[Block] = []
+    blocks: list[Block] = []
     angle = "Document 002 has the same angle as" if story.cites_courses else "The same angle is"
     if any(step.kind is Kind.ANGLE and step.coefficient("Z") for step in story.steps):
-        told.append(
+        blocks.append(
             paragraph(
                 "Khalil and Dombre write the solution of type 2 as {}, with the same sign. The "
                 "steps leave out the divisor, a positive factor that both share and atan2 takes "
@@ -152,7 +152,7 @@ def _in_the_course(story: Story) -> list[Block]:
             )
         )
     if any(step.kind is Kind.ANGLE_AND_SUM for step in story.steps):
-        told.append(
+        blocks.append(
             paragraph(
                 "Khalil and Dombre solve both angles of type 8 together: {}, then {} with {}. In "
                 "it {} stands in the equation of cosines, whichever of the step's two that is, and "
@@ -166,8 +166,8 @@ def _in_the_course(story: Story) -> list[Block]:
                 *[Symbol("X", "X"), Symbol("Y", "Y")] * 2,
             )
         )
-        told += _two_links_in_the_course(story)
-    return told
+        blocks += _two_links_in_the_course(story)
+    return blocks
 
 
 def _two_links_in_the_course(story: Story) -> list[Block]:

@@ -39,7 +39,7 @@ def parts_of(formula: Formula) -> tuple[Formula, ...]:
     return tuple(found)
 
 
-def leads_negative(formula: Formula) -> bool:
+def begins_negative(formula: Formula) -> bool:
     """Whether a formula begins with a minus sign."""
     match formula:
         case Minus():

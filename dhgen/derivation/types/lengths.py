@@ -58,8 +58,8 @@ def print_length(context: StepContext) -> StepText:
     none = equal(Y, ZERO)
     meaning = say("every {} works if {}, and none otherwise", r, none)
     if is_left_to_the_pose(context):
-        told = f"this equation holds for every {{}} if {{}}, and {others_decide(context)}"
-        meaning = say(f"{told}; otherwise none works", r, none)
+        sentence = f"this equation holds for every {{}} if {{}}, and {others_decide(context)}"
+        meaning = say(f"{sentence}; otherwise none works", r, none)
     free = Singularity(
         context.number, equal(X, ZERO), None, meaning, free_effect(context), frees=True
     )
@@ -88,8 +88,8 @@ def print_squared_length(context: StepContext) -> StepText:
         merged_effect(context),
     )
     left = add(times(X, square(r)), times(Y, r))
-    told = "The squared length of a vector is {}, a quadratic equation, with"
-    given = [paragraph(told, equal(left, Z))] if one else put_in(context, left, Z)
+    sentence = "The squared length of a vector is {}, a quadratic equation, with"
+    given = [paragraph(sentence, equal(left, Z))] if one else put_in(context, left, Z)
     blocks = (
         *given,
         display(context.definition("X"), context.definition("Y"), context.definition("Z")),
@@ -165,7 +165,7 @@ def put_in(context: StepContext, left: Formula, right: Formula) -> list[Block]:
         paragraph("The first equation is linear in {} and {}, and gives", gone, r),
         display(equal(gone, over(subtract(write(z), times(write(w), r)), write(v)))),
     ]
-    told = "With it the other holds {} alone. "
+    sentence = "With it the other holds {} alone. "
     if factor == ONE:
-        return [*blocks, paragraph(told + "It is {} with", r, equal(left, right))]
-    return [*blocks, paragraph(told + "Times {} it is {} with", r, factor, equal(left, right))]
+        return [*blocks, paragraph(sentence + "It is {} with", r, equal(left, right))]
+    return [*blocks, paragraph(sentence + "Times {} it is {} with", r, factor, equal(left, right))]

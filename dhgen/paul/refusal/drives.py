@@ -26,7 +26,7 @@ def demand_given_alone(chain: Chain) -> None:
         others = chain.solved_that_move(number)
         if not others:
             continue
-        name, also = chain.told([number]), chain.told([*others])
+        name, also = chain.named([number]), chain.named([*others])
         plural, free = "s" * (len(others) > 1), sorted({*chain.free, *others})
         raise UnsolvedError(
             f"joint {name} is free, but the drive{plural} of joint{plural} {also} "
@@ -61,8 +61,8 @@ def demand_whole_turns(chain: Chain) -> None:
         joint = _given_apart(chain, moves)
         if joint:
             raise UnsolvedError(
-                f"joint {chain.told([joint])} is free, and a whole turn of joint "
-                f"{chain.told([drive])} would move it: least squares tell solutions without whole "
+                f"joint {chain.named([joint])} is free, and a whole turn of joint "
+                f"{chain.named([drive])} would move it: least squares tell solutions without whole "
                 f"turns\nlist under `free` a joint that its own drive moves alone"
             )
     for row in chain.passive:
@@ -70,7 +70,7 @@ def demand_whole_turns(chain: Chain) -> None:
         if joint:
             raise UnsolvedError(
                 f"the passive row {row.label}: {row.apart}, and least squares do not take it "
-                f"either: a whole turn of joint {chain.told([joint])} would move the tool"
+                f"either: a whole turn of joint {chain.named([joint])} would move the tool"
             )
 
 

@@ -111,7 +111,7 @@ def _which(chain: Chain, whole: Surplus, *, kept: bool) -> str:
 
 
 def _joints(chain: Chain, numbers: tuple[int, ...]) -> str:
-    return f"joint{'s' * (len(numbers) > 1)} {chain.told(numbers)}"
+    return f"joint{'s' * (len(numbers) > 1)} {chain.named(numbers)}"
 
 
 def _in_vain(still: tuple[str, ...]) -> list[str]:

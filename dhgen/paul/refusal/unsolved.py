@@ -35,7 +35,7 @@ NEARLY_CONCURRENT = 0.15  # of the arm's size
 def refusal(search: Search, chain: Chain) -> str:
     """Why an arm is not solved, in at most 25 lines."""
     state = search.deepest
-    open_joints = chain.told(state.open_joints)
+    open_joints = chain.named(state.open_joints)
     lines = [
         f"no order of equations solves for every joint; still unknown: {open_joints}",
         *_nearest(search, state),
@@ -111,8 +111,8 @@ def _number(equation_type: EquationType) -> str:
 
 def missed_structure(chain: Chain, unit: str = "") -> list[str]:
     """Which three axes are parallel or concurrent, and which nearly are; `unit` is of lengths."""
-    told = (_describe(triple, chain.size, unit) for triple in axis_triples(chain))
-    described = [text for text in told if text]
+    texts = (_describe(triple, chain.size, unit) for triple in axis_triples(chain))
+    described = [text for text in texts if text]
     if not described:
         return ["no three consecutive axes are parallel or meet in one point, not even nearly"]
     head = "three axes that are parallel or meet in one point can allow a closed form:"

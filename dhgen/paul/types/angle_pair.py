@@ -124,7 +124,7 @@ def _conditioning(factors: _Factors, view: View) -> int:
     little = NEARLY_NOTHING if any(view.is_nearly_nothing(*row) for row in rows) else 0
     little += SHORT_LENGTHS * sum(view.is_short(*row) for row in rows)
     if not view.is_constant_sum(factors.determinant(view)):  # it is a sum of two squares then
-        apart = view.witnesses.stay_apart(factors.x1, factors.y1)
+        apart = view.witnesses.have_no_common_zero(factors.x1, factors.y1)
         mirrored = MIRRORED if factors.x2 == factors.y1 else 0
         return little + (TRIANGLE if apart else MAY_VANISH) + mirrored
     simple = all(view.is_constant(entry) for row in rows for entry in row)

@@ -270,7 +270,7 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     first, second = (
         each[:, 0, None] + each[:, 1, None] * c + each[:, 2, None] * s for each in split.values
     )
-    if _says_it_twice(first[:, 0], second[:, 0]):
+    if _are_equal_equations(first[:, 0], second[:, 0]):
         return False
     values, sizes = polynomial(first, second, ratio)
     largest = np.max(np.abs(values), axis=0)
@@ -279,7 +279,7 @@ def _is_sound(split: Split, ratio: Ratio | None, view: View) -> bool:
     return bool(np.all(np.abs(SLOPE @ values) > FLAT * largest))
 
 
-def _says_it_twice(first: FloatArray, second: FloatArray) -> bool:
+def _are_equal_equations(first: FloatArray, second: FloatArray) -> bool:
     """Whether the second equation is the first again, so that the polynomial is 0 = 0.
 
     Args:

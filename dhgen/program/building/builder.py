@@ -100,7 +100,7 @@ class Builder(Graph):
         return self.apply("neg", operand)
 
     def absolute(self, operand: Node) -> Node:
-        """Its size, without its sign and those of branches; of a constant here and now."""
+        """Its size, without its sign and the branches' signs; a constant's number."""
         inner = self._negated(operand)
         operand = operand if inner is None else inner
         entry = self.entries[operand]
@@ -246,7 +246,7 @@ class Builder(Graph):
         )
 
     def deciding(self, chosen: Iterable[Option], margin: Node) -> tuple[Option, ...]:
-        """Those of some joints whose choice has an influence on a value, each once."""
+        """The joints, of some, whose choice has an influence on a value, each once."""
         leaves = self.leaves(margin)
         options = (option for option in chosen if Joint(option.joint, "seed") in leaves)
         return tuple(dict.fromkeys(options))

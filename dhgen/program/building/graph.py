@@ -256,7 +256,7 @@ class Graph:
         return self._index[key]
 
     def _constant_name(self, name: str, *, own: bool) -> str:
-        """The same in every program of an arm: it depends on the arm's own names alone."""
+        """The constant's name, equal in all programs of an arm: only the arm's names decide it."""
         key, kept = (name, own), self.reserved.is_kept_from_constants
         if key not in self._renamed:
             wanted = name

@@ -1,7 +1,7 @@
 """From nodes to statements: which nodes are needed, which get a name, and in which order.
 
 A node is named when it is used twice, when its user depends on more signs than it does (it is
-computed outside that user's loop), or when a kernel asked for a name that a reader knows.
+computed outside that user's loop), or when a kernel gave it a name for readers.
 """
 
 from __future__ import annotations
@@ -263,7 +263,7 @@ class _Schedule:
         return uses, wider
 
     def _is_rare(self, entry: Entry) -> bool:
-        """Whether a value is left in place: it costs nothing, or only a free joint wants it."""
+        """Whether a value is left in place: it costs nothing, or only a free joint needs it."""
         leaves = [self._entries[operand].leaf for operand in entry.operands]
         if entry.operator == "less" and any(leaf in self._signs for leaf in leaves):
             return True

@@ -85,7 +85,7 @@ class Angles:
         self.solved_by_angle(AngleSum(((joint, 1),)), value)
 
     def compose(self, angle: AngleSum) -> None:
-        """Cosine and sine of an angle sum from those of solved ones."""
+        """Cosine and sine of an angle sum from cosines and sines of solved angles."""
         start, end, facing = self._runs.ends(angle)
         path = self._connect(start, end)
         assert path is not None
@@ -130,7 +130,7 @@ class Angles:
         return [*self._near, *self.free_options()]
 
     def free_options(self) -> list[Option]:
-        """Those of them that were free and took the seed's value."""
+        """The options that were free and took the seed's value."""
         return [Option(joint, flag) for joint, flags in self._free.items() for flag in flags]
 
     def free_joints(self) -> list[tuple[int, Node]]:

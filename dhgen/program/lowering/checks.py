@@ -1,7 +1,7 @@
 """What a program's rows do on poses where they are tried, and what is to be done about it.
 
-Equations may leave a part of the task unsaid, or say it to few digits, be it only at right angles
-or just beside them.
+A derivation may satisfy its equations without meeting the whole pose, or only inaccurately, for
+instance at right angles; the program is run on sample poses to find out.
 """
 
 from __future__ import annotations
@@ -48,10 +48,10 @@ class Checks:
         rows: Every row is compared with the pose.
         moved: They are in the frame from where that takes the fewest operations, not in the base.
         again: A row that fails this may pass by another value of a free joint.
-        tightened: A row that is not exact takes some steps of damped least squares.
-        led: The same where rows are neither compared nor tightened, for those that miss the pose
-            by more than is promised. One of a branch that follows an earlier root may be a little
-            out of reach.
+        tightened: A row that is not exact takes some steps of damped least squares. led: Rows that
+            miss the pose by more than is promised take such steps, where rows are neither compared
+            nor tightened. One of a branch that follows an earlier root may be a little out of
+            reach.
     """
 
     rows: bool
@@ -83,8 +83,8 @@ def checks_needed(
         checks = replace(checks, again=True)
         program = lowered(checks)
     led = _led(chain, checks, lowered)
-    if not tolerances.tell_rounding:
-        return led  # exact rows can't be told
+    if not tolerances.is_finer_than_poses:
+        return led  # exact rows can't be recognized
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = indeterminate_places(derivation.pool, derivation.steps) if checks.rows else degenerate
@@ -98,7 +98,7 @@ def checks_needed(
 
 
 def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:
-    """The same with rows of nested roots led to solutions, where there are any.
+    """The checks, with rows of nested roots refined to solutions, where there are any.
 
     So they are where a twist is beside a right angle: it fixes by little what that would leave
     free. Not where the caller gives an arm angle, which is one more thing that has to be met.
@@ -111,11 +111,11 @@ def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> 
 
 
 def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) -> bool:
-    """Whether there are poses of few digits that those which are tried don't show.
+    """Whether there are poses of few digits that the tried ones don't show.
 
     Roots that nearly meet are good to few digits, and so is what a slide from its square points to
     where it is drawn in, and so are slides that nearly move in one plane. Where not every value of
-    a free joint serves, one beside those that do nearly does.
+    a free joint works, a value next to the ones that do nearly does.
     """
     rooted = any(isinstance(statement, Roots) for statement in program.body)
     drawn_in = any(step.kind is Kind.SQUARED_LENGTH for step in derivation.steps)
@@ -185,7 +185,7 @@ def _is_inexact(chain: Chain, program: Program, q: FloatArray, enough: float) ->
 def _loses_poses(chain: Chain, program: Program, q: FloatArray) -> bool:
     """Whether poses are left without a row, with the joint values as the seed.
 
-    A row that meets its pose stays when others are led to solutions, which takes long.
+    Nothing is refined: that takes long, and keeps rows that meet their pose.
     """
     rows, misses = _misses(chain, replace(program, tightened=None, led=None), q, q)
     left = q[~(rows.solved & (misses <= TOLERANCES.exact)).any(axis=1)]

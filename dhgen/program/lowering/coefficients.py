@@ -44,7 +44,7 @@ def is_short(context: Lowering, length: Node, degree: int, name: str) -> Node:
 
 
 def is_short_square(context: Lowering, square: Node, degree: int, angle: AngleSum) -> Node:
-    """The same from the square of its length, or the product of two that vanish together."""
+    """Whether a vector is short, from its square or the product of two that vanish together."""
     limit = context.scales.tolerance(context.scales.tolerances.free**2, 2 * degree, "free_square")
     short = context.builder.apply("at_most", square, limit)
     return context.builder.name(short, f"free{angle.suffix}")

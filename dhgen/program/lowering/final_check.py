@@ -10,7 +10,7 @@ from functools import partial, reduce
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.algebra import POSE_PLACES
-from dhgen.kinematics.task import telling_entries
+from dhgen.kinematics.task import compared_entries
 from dhgen.program.ir import Failure
 from dhgen.program.lowering.vectors import inner
 
@@ -28,7 +28,7 @@ def misses(context: Lowering) -> list[Miss]:
 
     Seen from the base, or from the frame from where it takes the fewest operations.
     """
-    places = [POSE_PLACES[name] for name in sorted(telling_entries(context.chain.task))]
+    places = [POSE_PLACES[name] for name in sorted(compared_entries(context.chain.task))]
     columns = {column for _, column in places}
     before = len(context.builder.entries)
     whole = len(places) == 3 * len(columns)  # another frame needs all of a column
@@ -40,7 +40,7 @@ def misses(context: Lowering) -> list[Miss]:
 
 
 def _seen_from(context: Lowering, m: int, places: list[tuple[int, int]]) -> list[Miss]:
-    """The same from frame m; those that vanish identically are left out."""
+    """The equations seen from frame m, without equations that vanish identically."""
     reached = context.problem.spans.product(m, len(context.problem.links))
     found = []
     for row, column in places:
@@ -91,15 +91,15 @@ class _Check:
         if total is None or not chosen:
             for group in groups.values():
                 fits = reduce(partial(builder.apply, "and"), group)
-                builder.guard(self._or_leads(fits, chosen), Failure.INCONSISTENT)
+                builder.guard(self._or_between(fits, chosen), Failure.INCONSISTENT)
             return
         # all at once, so that the whole miss is known where a branch ends
         builder.name(total, "missed")
         every = [near for group in groups.values() for near in group]
         fits = reduce(partial(builder.apply, "and"), every)
-        builder.guard(self._or_leads(fits, chosen), Failure.INCONSISTENT, total, chosen)
+        builder.guard(self._or_between(fits, chosen), Failure.INCONSISTENT, total, chosen)
 
-    def _or_leads(self, fits: Node, chosen: tuple[Option, ...]) -> Node:
+    def _or_between(self, fits: Node, chosen: tuple[Option, ...]) -> Node:
         """Whether a row fits, or may be between two that do, however far it misses the pose.
 
         Between roots that nearly meet, what follows from them may be anything. Where a joint was

@@ -63,7 +63,7 @@ def jacobian_program(chain: Chain, reserved: Reserved = NOTHING) -> Program:
 
 
 def _by_drives(builder: Builder, chain: Chain, columns: list[Vector]) -> list[Vector]:
-    """A column for each drive, of those by what each joint moves along its own axis."""
+    """A column for each drive, from the columns of joints' motions along their own axes."""
     found = list(columns)
     for joint, column in zip(chain.joints, columns, strict=True):
         own = column if joint.sign > 0 else [builder.neg(entry) for entry in column]

@@ -161,7 +161,7 @@ def parts_of(context: Lowering, step: Step) -> Iterator[Part]:
 
 
 def _places(origin: Origin) -> Iterator[Origin]:
-    """The places of an equation; that of a rotation in the inverted form, too, transposed."""
+    """The places of an equation; a rotation's place in the inverted form, too, transposed."""
     if not origin.row or origin.column == MOMENT or origin.shoulder:
         return
     yield origin
@@ -200,7 +200,7 @@ class _Carrier:
             yield self._stretches(between)
 
     def _stretches(self, elements: Iterable[Element]) -> list[Stretch]:
-        """Elements up to those that turn about another direction."""
+        """Elements up to the next that turns about another direction."""
         found: list[list[Element]] = []
         group = None
         for element in elements:

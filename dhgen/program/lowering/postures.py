@@ -1,6 +1,6 @@
 """The names of rows: what a person sees of the arm, found by looking at the solutions of poses.
 
-The sign of the elbow's step alone does not tell which elbow is up: where the arm reaches over
+The sign of the elbow's step alone does not determine which elbow is up: where the arm reaches over
 itself it is the other one, so that the name goes by the product of two signs (Lee and Ziegler 1984,
 ARM and ELBOW). Which signs these are is found here: a name is taken where every solution of every
 sample pose looks like it, and "elbow+" or "shoulder+" elsewhere.
@@ -66,7 +66,7 @@ def with_postures(program: Program, derivation: Derivation) -> Program:
         for place in watched:
             if (look := _look(found, steps[place], place, program)) is not None:
                 axes[place] = _named(axes, place, look)
-    return replace(program, axes=tuple(_told_apart(axes, steps)))
+    return replace(program, axes=tuple(_distinguished(axes, steps)))
 
 
 _WORDS = {
@@ -114,8 +114,8 @@ def _joint(step: Step) -> int:
     return unknown.terms[0 if step.kind.is_two_links else -1][0]
 
 
-def _told_apart(axes: list[Axis], steps: list[Step]) -> Iterator[Axis]:
-    """Words that two axes have in common get the number of a joint, or those of a sum's joints."""
+def _distinguished(axes: list[Axis], steps: list[Step]) -> Iterator[Axis]:
+    """Words that two axes have in common get the number of a joint, or of a sum's joints."""
     words = [axis.meaning for axis in axes]
     joints = [(a.meaning, _joint(step)) for a, step in zip(axes, steps, strict=True)]
     for axis, step in zip(axes, steps, strict=True):

@@ -100,7 +100,7 @@ def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None 
 
 
 def _earlier(context: Lowering, sign: Node, reach: Reach, length: Node) -> EarlierRoot:
-    """A root for later ones; where it is none, what rounding may have made that of."""
+    """A root for later ones; where it vanishes, the size that rounding may give it."""
     builder, scales = context.builder, context.scales
     (axis,) = builder.axes_of(sign)
     least = scales.tolerance(math.sqrt(scales.tolerances.reach), reach.degree, "none")
@@ -109,7 +109,7 @@ def _earlier(context: Lowering, sign: Node, reach: Reach, length: Node) -> Earli
 
 
 def keep_one(context: Lowering, sign: Node, met: Node) -> None:
-    """Where both signs give the same, only + keeps it."""
+    """Where both signs give one solution, only + keeps it."""
     builder = context.builder
     plus = builder.apply("less", builder.integer(0), sign)
     keep = builder.apply("or", plus, builder.apply("not", met))

@@ -86,7 +86,7 @@ def _base_vectors(context: Lowering, plane: ArmPlane, w: Vector) -> tuple[Vector
 
 
 def _link_vectors(context: Lowering, plane: ArmPlane) -> tuple[Vector, ...]:
-    """The same three in frame 3."""
+    """The three link vectors in frame 3."""
     builder = context.builder
     fourth = _lowered(context, plane.fourth)
     elbow = cross(builder, fourth, _lowered(context, plane.elbow))

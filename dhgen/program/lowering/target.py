@@ -1,4 +1,4 @@
-"""Entries of U_0 = Z^-1 POS E^-1, with what of E is on that side, from those of the given pose."""
+"""Entries of U_0 = Z^-1 POS E^-1, with what of E is on that side, from the given pose's entries."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ class Assumptions:
 
 
 def meeting(guard: Guard) -> Expression:
-    """When the branches of both signs are the same: the guard is plus or not this."""
+    """When the branches of both signs are one: the guard is plus or not this."""
     match guard.condition:
         case Apply("or", (Apply("less", _), Apply("not", (met,)))):
             return met
@@ -101,7 +101,7 @@ class Endings:
         self._conditions: list[Node] = []
 
     def at_root(self, square: Node) -> None:
-        """A branch ends where the square root of a value, which it takes, is that of a negative."""
+        """A branch ends where a value whose square root it takes is negative."""
         length = self._builder.apply("sqrt", square)
         self._roots.append((length, self._builder.apply("sub", length, length)))
 

@@ -1,4 +1,4 @@
-"""Coefficients of polynomials: numbers made of the arm's constants, which know their formulas."""
+"""Coefficients of polynomials: numbers made of the arm's constants, with their formulas."""
 
 from __future__ import annotations
 
@@ -136,7 +136,7 @@ def _sum(terms: Iterable[tuple[Fraction, list[Formula]]]) -> Formula:
 
 
 def _product(number: Fraction, formulas: Sequence[Formula]) -> Formula:
-    """A number times constants; powers are told as such."""
+    """A number times constants; powers are written as such."""
     above, below = abs(number.numerator), number.denominator
     factors = [] if above == 1 and formulas else [Formula(str(above))]
     for each, times in Counter(formulas).items():

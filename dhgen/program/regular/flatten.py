@@ -116,13 +116,13 @@ class _Flattening:
         doubts = self._doubts(choices, () if self._lanes else fits)
         unnamed = [*doubts, *(fits if self._lanes else ())]
         program = builder.finish(self._program.name, results, [], unnamed=unnamed)
-        told = len(results) + len(doubts)
+        end = len(results) + len(doubts)
         return Flat(
             program,
             joints=len(self._solver.joints),
             limited=self._solver.outside is not None,
-            doubts=program.outputs[len(results) : told],
-            fits=program.outputs[told:],
+            doubts=program.outputs[len(results) : end],
+            fits=program.outputs[end:],
             choices=choices,
             lanes=self._lanes,
             unrolled=self._unrolled,
@@ -152,7 +152,7 @@ class _Flattening:
             self._values[statement.name, choice] = node
 
     def _doubts(self, choices: tuple[Choice, ...], fits: Sequence[Node]) -> list[Node]:
-        """Any doubt in any branch, by type; those that wait for the joints' values come last."""
+        """Any doubt in any branch, by type; doubts that need the joints' values come last."""
         builder, grazed = self._builder, self._solver.grazed
         rounded = []
         if fits:

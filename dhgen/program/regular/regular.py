@@ -39,18 +39,18 @@ def regular(
     Returns:
         None where branches are the roots of a polynomial.
     """
-    if not tells_regular(program):
+    if not has_regular_poses(program):
         return None
     kept = inverses_kept(program, tolerances)
     return _made(program, limits, kept, tolerances)
 
 
-def tells_regular(program: Program) -> bool:
+def has_regular_poses(program: Program) -> bool:
     """Whether there is a program of regular poses: not where branches are roots of a polynomial."""
     return not any(isinstance(statement, AllJoints | Roots) for statement in program.body)
 
 
-@cache  # every target asks for it
+@cache  # every target calls it
 def _made(
     program: Program,
     limits: ArmLimits,

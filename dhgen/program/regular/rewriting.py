@@ -38,7 +38,7 @@ class Rewriting:
         self._numbers: list[tuple[Coefficient, Node]] = []
 
     def sooner(self, node: Node) -> Node:
-        """The same value, in a form in which it is known sooner, if there is one."""
+        """An equal value in a form that is computed sooner, if there is one."""
         polynomial = self._expansion.polynomial(node)
         if polynomial is None or not polynomial.exact:
             return node

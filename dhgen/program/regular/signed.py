@@ -267,13 +267,13 @@ class SignedArithmetic:
                 return False
 
     def _reduced(self, value: Signed, *others: Signed) -> Signed:
-        """The value with only those signs in front on which no other part depends."""
+        """The value with only the signs in front on which no other part depends."""
         axes = {axis for other in others for axis in self._builder.axes_of(other.node)}
         kept = frozenset(s for s in value.signs if not axes.intersection(self._builder.axes_of(s)))
         return Signed(self.plain(Signed(value.node, value.signs - kept)), kept)
 
     def _wrapped(self, node: Node) -> Node:
-        """The angle moved by whole turns to (-pi, pi]: as often as its range asks for."""
+        """The angle moved by whole turns to (-pi, pi]: as often as its range needs."""
         builder = self._builder
         known = self._range(node)
         if known is None:

@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     from dhgen.tolerances import Tolerances
 
 FOLDED = "m"  # what the names of constants made here begin with
-# Rounding of a pose may take what stands below a root so many times farther below zero than it may
-# be and count as zero, where it comes from another root that is nearly zero.
+# Rounding of a pose may take a radicand so many times farther below zero than it may be and count
+# as zero, where it comes from another root that is nearly zero.
 ROUNDED_SQUARES = 1000
 
 
@@ -119,7 +119,7 @@ class Unguarded:
         doubts = builder.joined(self._doubts, "or")
         doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
-        told = len(results)
+        end = len(results)
         fits = zip(*self._fits, strict=True)
         for name, parts in zip(("exact", "near"), fits, strict=False):
             results[name] = reduce(partial(builder.apply, "and"), parts)
@@ -133,8 +133,8 @@ class Unguarded:
             joints=finished.outputs[: len(joints)],
             outside=outputs.get("outside"),
             grazed=outputs.get("grazed"),
-            doubts=finished.outputs[count:told],
-            fits=finished.outputs[told:],
+            doubts=finished.outputs[count:end],
+            fits=finished.outputs[end:],
         )
 
     def _limited(self, limiting: Limiting, joint: int, value: Node) -> Node:

@@ -78,7 +78,7 @@ STEPS = (
     "refines",  # rows need refining before they are compared
     "clamps",  # joints are clamped to limits
     "clamps far",  # from far away, too
-    "winds",  # a range exceeds a turn, or nearly
+    "range exceeds a turn",  # a range exceeds a turn, or nearly
     "follows seed",  # where solutions differ by less than rounding
 )
 

@@ -24,9 +24,9 @@ from .places import (
     HIGHEST,
     LOWEST,
     MERGES,
+    RANGE_EXCEEDS_A_TURN,
     RECORD,
     ROWS,
-    WINDS,
 )
 from .refine import moves
 from .retry import retry_rows
@@ -62,7 +62,7 @@ def _solve_rows(
         complete_rows(arm, robot, pose, q_free, seed, begun, q, status)
     if arm[MERGES] > 0.0:
         remove_duplicates(arm, robot, pose, q, status)
-    for row in range(rows if arm[WINDS] > 0.0 else 0):
+    for row in range(rows if arm[RANGE_EXCEEDS_A_TURN] > 0.0 else 0):
         for i in range(dof if status[row] != UNREACHABLE else 0):
             q[row, i] = at_an_end(arm, i, q[row, i], seed[i])
     if arm[FOLLOWS_SEED] > 0.0:

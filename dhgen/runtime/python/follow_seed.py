@@ -14,7 +14,7 @@ import numpy as np
 from .arm import POSE, ROBOT
 from .jit import of_file
 from .limits import beyond_limits, past_an_end, past_ends
-from .places import CLAMPED, CLAMPS, COUPLING, DOF, GIVEN_JOINTS, ROWS, WINDS
+from .places import CLAMPED, CLAMPS, COUPLING, DOF, GIVEN_JOINTS, RANGE_EXCEEDS_A_TURN, ROWS
 from .refine import copy_row, half_way, measure_miss, refine, refine_inside
 from .status import FREE_JOINT, UNREACHABLE
 from .tolerances import APART_BY, BESIDE_SEED, EXACT, FAMILY, LIMIT, TOGETHER
@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 
 OWN = of_file(__file__)
 
-# Half way to two rows the pose is missed equally if the ratio is less than this: which is less is
-# then rounding, and differs between languages. The first row is taken.
+# Misses half way to two rows whose ratio is below this are equal but for rounding, which differs
+# between languages. The first row is taken.
 ALIKE = 2.0
 
 
@@ -41,7 +41,7 @@ def _beside_seed(
     """
     for i in range(int(arm[DOF])):
         here = seed[i]
-        if arm[WINDS] > 0.0 and abs(past_an_end(arm, i, here)) > BESIDE_SEED:
+        if arm[RANGE_EXCEEDS_A_TURN] > 0.0 and abs(past_an_end(arm, i, here)) > BESIDE_SEED:
             here = turned(arm, i, here, here)
         x[i] = here - past_an_end(arm, i, here) if arm[CLAMPS] > 0.0 else here
     for k in range(int(arm[GIVEN_JOINTS])):

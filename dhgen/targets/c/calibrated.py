@@ -34,16 +34,16 @@ class CKind:
     """What the templates name of a kind of arms.
 
     Attributes:
-        table: The rows of the data sheet's.
+        table: The rows of the data sheet's table.
         modified: Its convention.
-        base: What stands before it.
-        tool: What stands behind it.
+        base: The constant transform before it.
+        tool: The constant transform behind it.
         facing: How joints count.
         length: The size of the arm.
         parallel: Which three axes side by side are parallel in it, as bits.
         meeting: Which meet.
         rows: How many rows its closed form has.
-        formulations: Of the general algorithm, which know of no links.
+        formulations: Of the general algorithm, which hold no links.
     """
 
     table: Sequence[str]

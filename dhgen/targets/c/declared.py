@@ -1,4 +1,4 @@
-"""Local constants in C: those that belong together stand in one statement."""
+"""Local constants in C: constants that belong together are in one statement."""
 
 from __future__ import annotations
 

@@ -52,7 +52,7 @@ class CSolver:
     """What the templates of a solver name in C only.
 
     Attributes:
-        comments: What the files say of themselves.
+        comments: The files' comments.
         tables: Definitions of constants.
         links: The table of its links; not in single precision, which is for small controllers.
         table: Of the arm, for the runtime.
@@ -65,9 +65,9 @@ class CSolver:
         general: The table of the general algorithm, where that solves the arm.
         descents: The table of least squares, where these do or may complete rows.
         coupling: Of drives whose whole turns hang together, where some do.
-        regular: What serves regular poses, where there is a program for them.
+        regular: The code of regular poses, where there is a program for them.
         nearest: The nearest arm with a structure, where its rows are tried first.
-        suffices: Whether these may answer a pose alone: what several drives do together, or drives
+        suffices: Whether these may solve a pose alone: what several drives do together, or drives
             to several joints, is done around the general algorithm.
         runtime: How it is brought along.
     """
@@ -94,7 +94,7 @@ class CSolver:
 def c_files(module: SolverModule, *, single_file: bool = False) -> dict[str, str]:
     """The header and the source by their names; the source may hold what it needs of the runtime.
 
-    Branches written out are fast. Where that is long, those in lanes of poses stand in loops, and
+    Branches written out are fast. Where that is long, branches in lanes of poses are in loops, and
     what they have in common with branches in lanes is written once.
     """
     regular = regular_solver(module)
@@ -107,7 +107,7 @@ def c_files(module: SolverModule, *, single_file: bool = False) -> dict[str, str
 
 
 def c_texts(module: SolverModule, *, in_loops: bool, single_file: bool = False) -> dict[str, str]:
-    """The same by one of the two ways."""
+    """The files' texts, with branches written out or in loops."""
     common = common_of(module)
     solver = c_solver(module, in_loops=in_loops)
     texts = {
@@ -163,7 +163,7 @@ def c_solver(module: SolverModule, *, in_loops: bool) -> CSolver:
 def brought_along(
     module: SolverModule, *, regular: bool, first: Sequence[str] = (), last: Sequence[str] = ()
 ) -> list[str]:
-    """The lines that say which parts of the runtime are needed, and in what sizes.
+    """The lines that choose which parts of the runtime are needed, and in what sizes.
 
     Args:
         module: The robot.
@@ -195,7 +195,7 @@ def brought_along(
 
 
 def switch(upper: str, name: str) -> list[str]:
-    """A switch of the robot's own throws that of the runtime."""
+    """A switch of the robot's own sets the runtime's switch."""
     head = f"#if defined({upper}_{name}) && !defined(DHGEN_{name})"
     return [head, f"#define DHGEN_{name}", "#endif"]
 

@@ -85,7 +85,7 @@ def _fitting(line: str, *, inside: bool) -> list[str]:
 
 
 def _going_on(line: str, indent: str) -> list[str]:
-    """A line of a directive, which ends where no backslash says that it goes on."""
+    """A line of a directive, which ends where no backslash continues it."""
     text = line.removesuffix(GOES_ON)
     pieces = wrapped(text, indent, width=WIDTH - len(GOES_ON))
     return [*(piece + GOES_ON for piece in pieces[:-1]), pieces[-1] + line[len(text) :]]

@@ -1,4 +1,4 @@
-"""C that tells how far a pose is from one in full precision: orthonormal, right-handed, finite."""
+"""C that computes how far a pose is from an orthonormal, right-handed, finite one."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def irregularity_wide(module: SolverModule) -> str:
 
 
 def irregularity_four(module: SolverModule) -> str:
-    """The same of one pose, its columns in lanes where all of a rotation counts."""
+    """The irregularity of one pose, its columns in lanes where all of a rotation counts."""
     given, task = finite_given(module), module.chain.task
     if task.kind is TaskKind.POSE:
         return _sum(["dhgen_pose_misfit_four(T)"], given)

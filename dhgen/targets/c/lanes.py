@@ -118,8 +118,8 @@ class LaneText:
                 return Text(
                     "DHGEN_NAN", ATOM, lanes=False
                 )  # compilers would take the root every time
-            case Apply(operator, parts) if (told := self._of_limits(operator, parts)) is not None:
-                return told
+            case Apply(operator, parts) if (test := self._of_limits(operator, parts)) is not None:
+                return test
         turned = self._turns.read(expression)
         if turned is None or not (angle := self.text(turned.angle)).lanes:
             return None
@@ -131,7 +131,7 @@ class LaneText:
         return Text(text, ATOM, lanes=True)
 
     def _of_limits(self, operator: str, parts: tuple[Expression, ...]) -> Text | None:
-        """How values in lanes stand to limits, by a function."""
+        """How values in lanes compare with limits, by a function."""
         match operator, parts:
             case "maximum", (Apply("sub", (low, value)), Apply("sub", (again, high))):
                 joint = self._limited_joint(low, high) if value == again else None

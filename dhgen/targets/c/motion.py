@@ -33,7 +33,7 @@ class Motion:
 
 
 def motion_of(module: SolverModule) -> Motion:
-    """The two, what is the same in both by the same name taken out."""
+    """Forward kinematics and Jacobian, and before them the values that both compute."""
     common = _common(module.forward, module.jacobian)
     values = [
         Declaration("double", name, expression_text(value, C())) for name, value in common.items()
@@ -45,7 +45,7 @@ def motion_of(module: SolverModule) -> Motion:
 
 
 def _common(first: Program, second: Program) -> dict[str, Expression]:
-    """The values that both programs compute in the same words."""
+    """The values that both programs compute in equal words."""
     others = {each.name: each.expression for each in second.body if isinstance(each, Let)}
     own = {each.name for each in first.body if isinstance(each, Let)}
     common: dict[str, Expression] = {}

@@ -29,9 +29,9 @@ class CNearest:
         rows: How many rows it has.
         turned: By how much the tools are turned at most [rad].
         moved: By how much they are apart.
-        left: What stands before a pose to make it this arm's.
-        right: What stands behind it.
-        offsets: What its angles are more than those of the loop.
+        left: The left factor that makes a pose this arm's.
+        right: The right factor.
+        offsets: Its angles minus the loop's.
         places: Of the joints that are solved for among all.
         link_count: How many links it has.
         links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.

@@ -40,7 +40,7 @@ RETURNS = "Returns how many rows are OK, or -1 if the pose has to be left to `so
 
 @dataclass(frozen=True, slots=True)
 class CRegular:
-    """What serves regular poses: bodies of functions.
+    """The code of regular poses: bodies of functions.
 
     Attributes:
         wide: One lane a pose.
@@ -58,7 +58,7 @@ class CRegular:
 
 
 def regular_values(module: SolverModule, flats: Flats) -> CRegular:
-    """What serves a robot's regular poses, which compute this."""
+    """The code of a robot's regular poses, from the program that solves them."""
     flat, lanes = flats.wide, flats.lanes
     in_lanes = module.precision is not SINGLE
     shared = shared_values(lanes) if flats.in_loops and in_lanes else NOTHING_SHARED
@@ -127,10 +127,10 @@ def _row(module: SolverModule, flat: Flat, choice: Choice, lane: int) -> int:
 
 
 def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> list[str]:
-    """Values, first those without angles, then the angles together, then the others.
+    """Values: first all without angles, then the angles together, then the others.
 
-    Irregular poses leave before the angles, as far as these aren't needed to tell: what waits for
-    a root meanwhile makes room for what waits for nothing.
+    Irregular poses leave before the angles, as far as these aren't needed to find them: what waits
+    for a root meanwhile makes room for what waits for nothing.
     """
     signs = range(len(flat.lanes) + 1)
     known = [line for k in signs for line in shared.stated(k, "four" if k else "double", "four")]
@@ -164,9 +164,9 @@ def _with_angles(flat: Flat, text: LaneText, shared: Shared, misfit: str) -> lis
 
 def _leaving(misfits: list[str], doubts: list[Expression], text: LaneText) -> list[str]:
     """Leaves an irregular pose to the other solver."""
-    told = [text.text(doubt) for doubt in doubts]
-    lanes = [*misfits, *(each.within(ATOM) for each in told if each.lanes)]
-    single = [f"(unsigned)({each.text})" for each in told if not each.lanes]
+    texts = [text.text(doubt) for doubt in doubts]
+    lanes = [*misfits, *(each.within(ATOM) for each in texts if each.lanes)]
+    single = [f"(unsigned)({each.text})" for each in texts if not each.lanes]
     reasons = [*([f"dhgen_bits_four({' | '.join(lanes)})"] if lanes else []), *single]
     if not reasons:
         return []

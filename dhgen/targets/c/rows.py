@@ -57,9 +57,9 @@ def status_lines(
 
     Args:
         count: How many rows there are.
-        rows: For each group the row of each lane; lanes may stand for the same row.
+        rows: For each group the row of each lane; several lanes may belong to one row.
         nones: For each group the mask of lanes without a solution.
-        outsides: The same for lanes outside the limits; empty without limits.
+        outsides: For each group the mask of lanes outside the limits; empty without limits.
     """
     lines: list[str] = []
     oks = []

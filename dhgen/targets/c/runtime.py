@@ -11,7 +11,7 @@ VECTORS = "dhgen/vectors.h"
 CALIBRATION, CALIBRATED = "dhgen/calibration.h", "dhgen/calibrated.h"
 _INCLUDE = re.compile(r'#include "((?:\.\./)*[\w/]+\.h)"\n')
 _GUARD = re.compile(r"#ifndef (DHGEN_\w+_H)\n#define \1\n(.*)#endif\n", re.DOTALL)
-# What is a robot's own, and what its file asks of the folder beside.
+# What is a robot's own, and what its file includes from the folder beside it.
 _CHOICE = re.compile(
     r"#ifdef (DHGEN_CALLER_GIVES|DHGEN_FRAMES)\n((?:(?!#else|#endif).*\n)*)"
     r"(?:#else\n((?:(?!#endif).*\n)*))?#endif\n\n?"

@@ -27,7 +27,7 @@ MACROS = ("KNOWN", "SIGNED", "SIGNED_TWICE")  # by the number of signs that valu
 
 @dataclass(frozen=True, slots=True)
 class Shared:
-    """Values of a program for regular poses that all functions compute in the same words.
+    """Values of a program for regular poses that all functions compute in equal words.
 
     Attributes:
         names: What they are called.
@@ -48,7 +48,7 @@ class Shared:
             depth: The number of signs that its values need.
             number: Their type.
             signs: The type of values that need nothing but signs.
-            indent: What stands before it.
+            indent: The blanks before it.
         """
         types = f"{number}, {signs}" if depth else number
         return [f"{indent}{MACROS[depth]}({types});"] if depth in self.depths else []
@@ -58,26 +58,26 @@ NOTHING_SHARED = Shared()
 
 
 def depth_of(let: Let) -> int:
-    """In how many loops over signs a value stands."""
+    """In how many loops over signs a value is."""
     return max(let.axes, default=-1) + 1
 
 
 def shared_values(flat: Flat) -> Shared:
-    """What has the same words whether lanes are branches or poses, but for angles."""
+    """The values with equal words whether lanes are branches or poses, but for angles."""
     words = _Words(flat)
     body = [each for each in flat.program.body if words.has(each)]
     macros: list[str] = []
     depths = []
     for depth in range(len(flat.lanes) + 1):
-        lines = _values([each for each in body if words.stands(each, depth)], words.told)
+        lines = _values([each for each in body if words.stands(each, depth)], words.declared)
         if lines:
             depths.append(depth)
             types = "number, signs" if depth else "number"
             first, *others = [f"#define {MACROS[depth]}({types})", *lines]
             macros += [f"{line}{GOES_ON}" for line in [first, *others[:-1]]]
             macros.append(others[-1].removesuffix(";"))
-    signs = frozenset(name for name, told in words.told.items() if told.kind == "dhgen_##signs")
-    return Shared(frozenset(words.told), signs, macros, tuple(depths))
+    signs = frozenset(name for name, each in words.declared.items() if each.kind == "dhgen_##signs")
+    return Shared(frozenset(words.declared), signs, macros, tuple(depths))
 
 
 class _Words:
@@ -85,7 +85,7 @@ class _Words:
 
     def __init__(self, flat: Flat) -> None:
         program = flat.program
-        self.told: dict[str, Declaration] = {}
+        self.declared: dict[str, Declaration] = {}
         self._own: set[str] = set()
         self._one = LaneText("four", program, wide=False)
         self._wide = LaneText("wide", program, wide=True)
@@ -96,37 +96,37 @@ class _Words:
                 self._let(statement)
 
     def _let(self, let: Let) -> None:
-        told, lanes = (text.let(let) for text in (self._one, self._wide))
-        one, wide = told.value, lanes.value
+        pose, lanes = (text.let(let) for text in (self._one, self._wide))
+        one, wide = pose.value, lanes.value
         angle = isinstance(let.expression, Apply) and let.expression.operator == "atan2"
         mixed = depth_of(let) > 0 and _PLAIN.search(one)
         one = _PLAIN.sub(lambda found: f"dhgen_{_CALLED[found[1]]}_##number(", one)
         one, wide = (_LANES.sub(r"\1_##number(", text) for text in (one, wide))
-        signs = bool(let.axes) and (told.kind, lanes.kind) == ("dhgen_four", "double")
+        signs = bool(let.axes) and (pose.kind, lanes.kind) == ("dhgen_four", "double")
         one_kind = "dhgen_four" if let.axes else "double"
-        number = (told.kind, lanes.kind) == (one_kind, "dhgen_wide")
+        number = (pose.kind, lanes.kind) == (one_kind, "dhgen_wide")
         own = angle or mixed or not (signs or number)
         if own or one != wide or names_in(let.expression) & self._own:
             self._own.add(let.name)
         else:
             kind = "signs" if signs else "number"
-            self.told[let.name] = Declaration(f"dhgen_##{kind}", let.name, one)
+            self.declared[let.name] = Declaration(f"dhgen_##{kind}", let.name, one)
 
     def has(self, statement: Statement) -> bool:
-        return not isinstance(statement, Let) or statement.name in self.told
+        return not isinstance(statement, Let) or statement.name in self.declared
 
     def stands(self, statement: Statement, depth: int) -> bool:
         return not isinstance(statement, Let) or depth_of(statement) == depth
 
 
-def _values(body: Sequence[Statement], told: dict[str, Declaration]) -> list[str]:
+def _values(body: Sequence[Statement], declared: dict[str, Declaration]) -> list[str]:
     """Values under their headings."""
     lines: list[str] = []
     heading = ""
     values: list[Declaration] = []
     for statement in [*body, Heading("")]:
         if isinstance(statement, Let):
-            values.append(told[statement.name])
+            values.append(declared[statement.name])
         elif isinstance(statement, Heading):
             if values:
                 lines += [C().comment(heading, INDENT)] if heading else []

@@ -35,7 +35,7 @@ _WORDS = {
 }
 
 
-# What is for double precision alone, and what stands in its place.
+# What is for double precision alone, and what replaces it.
 _OTHERWISE = re.compile(
     r"#ifndef DHGEN_SINGLE_PRECISION\n(?:(?!#endif).)*?#else\n(.*?)#endif\n", re.DOTALL
 )

@@ -100,7 +100,7 @@ def _steps(chain: Chain, policy: Policy, choosing: str, together: str) -> list[s
         "refines": policy.refines,
         "clamps": policy.clamps,
         "far": policy.clamps_far,
-        "winds": policy.winds,
+        "range exceeds a turn": policy.range_exceeds_a_turn,
         "follows seed": policy.follows_seed,
     }
     completion = "&completion, dhgen_complete_rows," if policy.completes else "NULL, NULL,"

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class CComments:
-    """What files say of themselves.
+    """The comments of a robot's files.
 
     Attributes:
         about: What they are.
@@ -64,7 +64,7 @@ class CTables:
 
 
 def c_comments(module: SolverModule) -> CComments:
-    """What a robot's files say of themselves."""
+    """The comments of a robot's files, filled in."""
     single = f", all in {SINGLE.name}" if module.precision is SINGLE else ""
     frames = (
         "Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in "
@@ -122,7 +122,7 @@ def _macro(module: SolverModule, what: str, items: Sequence[str]) -> str:
 def _constants(
     module: SolverModule, regular: tuple[Program, ...]
 ) -> tuple[list[ConstantText], ...]:
-    """The constants of all builds, with those of regular poses, with those of branches in lanes."""
+    """The constants of all builds, of regular poses as well, and of branches in lanes as well."""
     return tuple(
         [each for each in constant_texts(module, some) if not _in_macros(each.role)]
         for some in ((), regular[:1], regular)
@@ -130,22 +130,22 @@ def _constants(
 
 
 def _in_macros(role: Role) -> bool:
-    """Whether a constant is no variable: it stands in macros that compare with limits."""
+    """Whether a constant is no variable: macros that compare with limits use it."""
     return isinstance(role, LimitEnd) or role == GRAZE
 
 
 def _constant_lines(constants: list[ConstantText], above: list[ConstantText]) -> list[str]:
-    """Definitions of those with a comment, and of those whose names say all.
+    """Definitions of constants with a comment, and of constants that need none.
 
     Args:
         constants: The constants.
-        above: Those that stand above them.
+        above: The constants above them.
     """
-    told = [each for each in constants if each.comment]
+    commented = [each for each in constants if each.comment]
     lines = _comment(made_of(constants, above))
-    lines += ["static const double"] if told else []
-    for each in told:
-        lines += _constant(each, ";" if each is told[-1] else ",")
+    lines += ["static const double"] if commented else []
+    for each in commented:
+        lines += _constant(each, ";" if each is commented[-1] else ",")
     return lines + _bare([each for each in constants if not each.comment])
 
 
@@ -172,6 +172,6 @@ def _constant(constant: ConstantText, end: str) -> list[str]:
     if len(line) + len(constant.comment) + 7 <= WIDTH:
         return [f"{line} /* {constant.comment} */"]
     # the end of a comment has to fit, too
-    mark = "###"  # as long as the end, which stays beside the last word
-    told = paragraph(f"{constant.comment}{mark}", f"{INDENT} * ").removesuffix(mark)
-    return [f"{INDENT}/* {told} */", line]
+    mark = "###"  # as long as the end, which must not be on a line of its own
+    text = paragraph(f"{constant.comment}{mark}", f"{INDENT} * ").removesuffix(mark)
+    return [f"{INDENT}/* {text} */", line]

@@ -37,7 +37,7 @@ class TurnReader:
         self._pi = {Variable(c.name) for c in known if c.value == math.pi}
 
     def read(self, expression: Expression) -> Turned | None:
-        """The angle of which an expression is the same direction in (-pi, pi]."""
+        """The angle that an expression moves to (-pi, pi] by whole turns."""
         match expression:
             case Apply("add", (angle, Apply("select", (condition, turn, Integer(0))))):
                 if self._below(condition, angle) and turn in self._turn:

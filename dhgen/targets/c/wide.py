@@ -74,7 +74,7 @@ def lets(statements: Iterable[Statement], text: LaneText, indent: str = INDENT) 
 
 
 class _Wide:
-    """The function's text. A value stands in the innermost loop that it needs."""
+    """The function's text, with each value in the innermost loop that it needs."""
 
     def __init__(self, module: SolverModule, flat: Flat, shared: Shared, unrolled: str) -> None:
         self._module = module

@@ -15,7 +15,9 @@ Assignment = tuple[str, str]
 TOGETHER = 3  # targets: as many are assigned without making a tuple of their values
 
 _WORD = re.compile(r"[A-Za-z_]\w*")
-_BRANCH = re.compile(r" (?:if|and|or) ")  # in values that stand alone: what is chosen is to be seen
+_BRANCH = re.compile(
+    r" (?:if|and|or) "
+)  # in values on lines of their own, where choices are visible
 
 
 def broken(line: str, indent: str) -> list[str]:
@@ -26,7 +28,7 @@ def broken(line: str, indent: str) -> list[str]:
 
 
 def alike(assignments: Iterable[Assignment], indent: str) -> list[Assignment]:
-    """The same with neighbouring targets of one value chained, as many as fit in a line."""
+    """Assignments with neighbouring targets of one value chained, as many as fit in a line."""
     chained: list[Assignment] = []
     for target, value in assignments:
         both = f"{chained[-1][0]} = {target}" if chained else target
@@ -67,7 +69,7 @@ def _shares(
     indent: str,
     follows: Callable[[str, str], bool],
 ) -> bool:
-    """Whether an assignment may stand in the line of others."""
+    """Whether an assignment may share the line of others."""
     target, value = each
     if not follows(target, group[-1][0]) or any(map(_BRANCH.search, (group[0][1], value))):
         return False

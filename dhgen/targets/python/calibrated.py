@@ -38,7 +38,7 @@ class PythonKind:
     """What the template names of a kind of arms.
 
     Attributes:
-        table: The rows of the data sheet's.
+        table: The rows of the data sheet's table.
         constants: Of the nominal arm's closed form, as lines.
         arm: Fields of what is done around rows, as lines.
         fields: Those of the kind beside, as lines.

@@ -41,7 +41,7 @@ class PythonSolver:
     """What the templates of a solver name in Python only.
 
     Attributes:
-        comments: What the module says of itself.
+        comments: The module's docstring and comments.
         tables: Its constants.
         entries: The names of the pose's entries, _ for those that the solver does not read.
         bodies: The programs.
@@ -107,9 +107,9 @@ def _solver(module: SolverModule, *, has_formulas: bool) -> str:
         f"apart=({compiled})": bool(compiled),
         "at_once=True": whole_arm(module.solver) is not None,
     }
-    told = [name for name, stands in fields.items() if stands]
-    line = f"{_CALLS}({', '.join(told)}))"
-    return line if len(line) <= WIDTH else "\n".join([f"{_CALLS}(", *listed(told, INDENT), "))"])
+    called = [name for name, stands in fields.items() if stands]
+    line = f"{_CALLS}({', '.join(called)}))"
+    return line if len(line) <= WIDTH else "\n".join([f"{_CALLS}(", *listed(called, INDENT), "))"])
 
 
 def _compiled(module: SolverModule) -> str:

@@ -3,7 +3,7 @@
 Values of w poses lie side by side: `kept[place * w + k]` is a value of pose k. Loops over k that
 hold nothing but arithmetic become vector instructions; sines, cosines and arctangents have loops of
 their own over `turns`, which for a single pose go over all that a stage takes. With w = 1 what is
-kept stays in registers.
+kept remains in registers.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Formulas:
             left to the whole program, and what stages leave to later ones.
         turns: How many arguments of functions it has, or one, as no array is empty.
         places: The places among `rows` of the joints' values of each row, as lines of a table; the
-            rows' statuses stand behind all of them.
+        rows' statuses come after all of them.
     """
 
     lines: Sequence[str]
@@ -150,7 +150,7 @@ class _Printing:
     def _reason(self) -> str:
         """Why a pose is left to the whole program."""
         if self._flat.limited:
-            return "a joint is free, branches meet, or rounding tells what is beyond a limit"
+            return "a joint is free, branches meet, or rounding decides what is beyond a limit"
         return "a joint is free, or branches meet"
 
     def _keep(self, name: str) -> str:

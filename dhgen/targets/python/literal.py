@@ -17,8 +17,8 @@ def literal(value: object, modules: Mapping[str, str], indent: str = "") -> str:
 
     Args:
         value: A number, a truth value, a text, None, or a tuple or data class of such.
-        modules: What stands before the name of a class, by the name of its module.
-        indent: Of the line that it stands in.
+        modules: The prefix of the name of a class, by the name of its module.
+        indent: Of the line that it is in.
     """
     flat = _flat(value, modules)
     if len(indent) + len(flat) < WIDTH or not isinstance(value, tuple) | is_dataclass(value):
@@ -62,7 +62,7 @@ class Name:
 
 
 def _flat(value: object, modules: Mapping[str, str]) -> str:
-    """The same in one line."""
+    """The value in one line."""
     if isinstance(value, float) and math.isinf(value):
         return "math.inf" if value > 0.0 else "-math.inf"
     if isinstance(value, Name):

@@ -56,7 +56,7 @@ def _line_of_table(head: str, digest: str) -> int:
 
 
 def _texts(text: str) -> dict[str, str]:
-    """The modules of the runtime that a text asks for, and those that they import, by name."""
+    """The modules of the runtime that a text imports, directly or through others, by name."""
     files = {
         path.removesuffix(".py").removesuffix("/__init__").replace("/", "."): source
         for path, source in python_runtime_files().items()

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from dhgen.program.policy import Policy
     from dhgen.targets.module import SolverModule
 
-# What the module says of the joints beside, under its own names.
+# Facts of the joints that the module has under names of its own.
 NAMED = {"types": Name("JOINT_TYPES"), "limits": Name("JOINT_LIMITS")}
 
 
@@ -37,8 +37,8 @@ def arm_fields(module: SolverModule, indent: str) -> list[str]:
     arm = _arm(module)
     named = NAMED if turns_alone(module.chain) else {"types": NAMED["types"]}
     values = ((each.name, getattr(arm, each.name), each.default) for each in fields(arm))
-    told = [(name, named.get(name, value)) for name, value, default in values if value != default]
-    return fields_of(told, {}, indent)
+    others = [(name, named.get(name, value)) for name, value, default in values if value != default]
+    return fields_of(others, {}, indent)
 
 
 def _arm(module: SolverModule) -> Arm:
@@ -87,7 +87,7 @@ def _steps(policy: Policy) -> tuple[str, ...]:
         "refines": policy.refines,
         "clamps": policy.clamps,
         "clamps far": policy.clamps_far,
-        "winds": policy.winds,
+        "range exceeds a turn": policy.range_exceeds_a_turn,
         "follows seed": policy.follows_seed,
     }
     return tuple(step for step, taken in steps.items() if taken)

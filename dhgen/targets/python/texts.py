@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class PythonComments:
-    """What a module says of itself.
+    """The docstring and comments of a module.
 
     Attributes:
         about: What it is.
@@ -79,7 +79,7 @@ class PythonTables:
 
 
 def python_comments(module: SolverModule) -> PythonComments:
-    """What the module of a robot says of itself."""
+    """The docstring and comments of a robot's module."""
     frames = (
         "Poses are 4 x 4 matrices of the tool in the base frame, lengths in "
         f"{module.length_unit}, angles in rad. {meaning(module.chain.task)}"
@@ -166,7 +166,7 @@ def python_task(task: Task) -> str:
 
 
 def python_entries(program: Program) -> str:
-    """The names of the pose's entries, _ for those that are not read."""
+    """The names of the pose's entries, _ for entries that are not read."""
     read = {(entry.row, entry.column) for entry in pose_entries(program)}
     places = [(row, column) for row in (1, 2, 3) for column in (1, 2, 3, 4)]
     return ", ".join(f"T{place[0]}{place[1]}" if place in read else "_" for place in places)

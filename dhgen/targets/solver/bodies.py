@@ -27,7 +27,7 @@ class ArmAngle:
 
 @dataclass(frozen=True, slots=True)
 class PlaneMiss:
-    """The body of the function that tells by how much joint values miss the arm angle.
+    """The body of the function that computes by how much joint values miss the arm angle.
 
     Attributes:
         entries: Give the pose's entries their names.

@@ -32,7 +32,7 @@ class Common:
 
 
 def common_of(module: SolverModule) -> Common:
-    """What every language says of a robot's solver."""
+    """The comments on a robot's solver in every language."""
     return Common(
         module=module_of(module),
         given=given_of(module.chain),

@@ -1,4 +1,4 @@
-"""What is said of the table of a robot's links, in any language."""
+"""The comment on the table of a robot's links, in any language."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import Chain, ChainJoint
 
 
-# About the base's x, y and z; a pitch's miss stands first.
+# About the base's x, y and z; a pitch's miss comes first.
 _TURNS = {
     Directions.NONE: (0, 0, 0),
     Directions.POINTING: (1, 1, 1),
@@ -42,5 +42,5 @@ def _pace(joint: ChainJoint, chain: Chain) -> str:
 
 
 def _scale(value: float) -> str:
-    """More digits tell nothing."""
+    """A factor to the digits that matter."""
     return repr(float(f"{value:.4g}"))

@@ -93,7 +93,7 @@ def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple
 
 
 def _by_distance(context: Lowering, step: Step, distance: Distance) -> tuple[Node, Reach]:
-    """The same for Z = k |v|^2 + C: D = k^2 (H - |v|^2) (|v|^2 - L)."""
+    """The discriminant for Z = k |v|^2 + C: D = k^2 (H - |v|^2) (|v|^2 - L)."""
     angle = step.angle
     builder = context.builder
     square = builder.name(distance.square, f"V{angle.suffix}")
@@ -140,7 +140,7 @@ def _lower_homogeneous(
 
 
 def _plain_formula(context: Lowering, step: Step, second: Step, vector: tuple[Node, Node]) -> str:
-    """What the first equation alone says, which a reader looks for, and then what protects it."""
+    """The first equation's formula, which a reader looks for, and then what protects it."""
     builder = context.builder
     opposite = [builder.entries[each].operator == "neg" for each in vector]
     x, y = (
@@ -157,7 +157,7 @@ def _plain_formula(context: Lowering, step: Step, second: Step, vector: tuple[No
 def _lengthened(
     context: Lowering, vector: tuple[Node, Node], second: Step, degree: int
 ) -> tuple[Node, Node]:
-    """(X, Y) and the same of a second equation, turned to the same side: short only with both."""
+    """(X, Y) plus a second equation's, turned to the same side: short only with both."""
     builder = context.builder
     angle = second.angle
     x, y = vector

@@ -45,7 +45,7 @@ def lower_circle(context: Lowering, step: Step) -> None:
 
 
 def _sides(context: Lowering, step: Step) -> tuple[Circle, Circle]:
-    """The sums of squares that are to be the same."""
+    """The sums of squares that are to be equal."""
     builder = context.builder
     p1, p2, q1, q2, r1, r2 = (
         _linear(context, step, name) for name in ("P1", "P2", "Q1", "Q2", "R1", "R2")

@@ -85,17 +85,17 @@ struct dhgen_arm {
     int entry_count;
 
     /* What the solver's rows need. */
-    int slides;                    /* joints slide: also squares of lengths have to be finite */
-    int retries, checks;           /* other values of free joints may reach; may meet the pose */
-    int keeps_limits;              /* other values of free joints may keep limits */
-    const int *choosable;          /* joints that may be free, from 0, the last first */
-    int choosable_count;           /* how many */
-    const int *together;           /* joints that may have to be chosen together, from 0 */
-    int together_count;            /* how many */
-    int cuts;                      /* of an interval by golden section */
-    int merges, refines;           /* branches that meet may come out apart; rows need refining */
-    int clamps, clamps_far, winds; /* onto limits; from far away; where ranges exceed a turn */
-    int follows_seed;              /* where solutions differ by less than rounding */
+    int slides;           /* joints slide: also squares of lengths have to be finite */
+    int retries, checks;  /* other values of free joints may reach; may meet the pose */
+    int keeps_limits;     /* other values of free joints may keep limits */
+    const int *choosable; /* joints that may be free, from 0, the last first */
+    int choosable_count;  /* how many */
+    const int *together;  /* joints that may have to be chosen together, from 0 */
+    int together_count;   /* how many */
+    int cuts;             /* of an interval by golden section */
+    int merges, refines;  /* branches that meet may come out apart; rows need refining */
+    int clamps, clamps_far, range_exceeds_a_turn; /* onto limits; from far away */
+    int follows_seed;                             /* where solutions differ by less than rounding */
 
     /* For `complete`, which works on all rows where roots of polynomials nearly meet or rows miss
      * the pose: dhgen_complete_rows, or both are NULL. `begun` is the first row that was not simply

@@ -30,7 +30,7 @@ DHGEN_FN int dhgen_limited_row(const struct dhgen_arm *arm, double *q)
             return -1;
         if (fabs(off) > 0.0)
             status = DHGEN_OUT_OF_LIMITS;
-        if (0.0 < fabs(off) && fabs(off) <= DHGEN_DOUBTFUL && arm->winds)
+        if (0.0 < fabs(off) && fabs(off) <= DHGEN_DOUBTFUL && arm->range_exceeds_a_turn)
             q[i] = off + (off > 0.0 ? of->highest : of->lowest);
     }
     return status;

@@ -91,7 +91,7 @@ DHGEN_FN void dhgen_solve_rows(const struct dhgen_arm *arm, const double *T,
         arm->complete(arm, T, free_joints, seed, begun, q, status);
     if (arm->merges)
         dhgen_remove_duplicates(arm, T, q, status);
-    for (int row = 0; row < dhgen_rows(arm) && arm->winds; row++)
+    for (int row = 0; row < dhgen_rows(arm) && arm->range_exceeds_a_turn; row++)
         for (int i = 0; i < dhgen_dof(arm); i++) {
             double *const value = q + dhgen_dof(arm) * row + i;
             *value = dhgen_at_an_end(arm, i, *value, seed[i]);
@@ -201,7 +201,8 @@ DHGEN_API int dhgen_nearest_row(const struct dhgen_arm *arm, const double *T,
         found[i] = DHGEN_NAN;
         valid &= isfinite(q_seed[i]) != 0;
     }
-    if (valid && arm->winds && arm->regular && dhgen_turned_away(arm, q_seed, rows, status))
+    if (valid && arm->range_exceeds_a_turn && arm->regular
+        && dhgen_turned_away(arm, q_seed, rows, status))
         (void)dhgen_careful_ik(arm, T, free_joints, q_seed, rows, status);
     for (int row = 0; row < dhgen_rows(arm) && valid; row++) {
         double *const values = rows + dhgen_dof(arm) * row;

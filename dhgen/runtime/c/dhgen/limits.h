@@ -44,7 +44,7 @@ DHGEN_SMALL double dhgen_past_an_end(const struct dhgen_arm *arm, int joint, dou
 {
     const struct dhgen_joint *const of = arm->joints + joint;
     const double low = of->lowest, high = of->highest;
-    if (!arm->winds || high - low < DHGEN_NEARLY_A_TURN)
+    if (!arm->range_exceeds_a_turn || high - low < DHGEN_NEARLY_A_TURN)
         return dhgen_overshoot(arm, joint, value);
     const double off = value - fmin(fmax(value, low), high);
     return fabs(off) <= 0.5 * of->slack ? 0.0 : off;

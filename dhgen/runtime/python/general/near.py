@@ -67,7 +67,7 @@ class Nearest:
         moved: By how much they are apart.
         left: The left factor that makes a pose this arm's, twelve numbers.
         right: The right factor.
-        offsets: What its angles are more than those of the loop.
+        offsets: Its angles minus the loop's.
         solved: The places of the joints that are solved for.
         links: C0 ... Cn of its pose C0 Rz(angle 1) C1 ... Rz(angle n) Cn.
         angles: Each as the factors of all joint values, and what is added.
