@@ -59,7 +59,7 @@ def calibrated_joints(robot: Robot, calibration: Calibration) -> tuple[Joint, ..
 def _origins_of_rows(
     table: DhTable, added: Sequence[Sequence[float]], values: Mapping[str, float]
 ) -> list[Placed]:
-    """Of rows with deltas: what stands before each joint's own motion, and behind the last one."""
+    """Of rows with deltas: the transforms before each joint's motion, and behind the last."""
     found, behind = [], NOWHERE
     for row, deltas in zip(table.rows, added, strict=True):
         cells = [evaluate(cell, values) for cell in (row.theta, row.d, row.a, row.alpha)]

@@ -59,7 +59,7 @@ class Calibration:
 
 
 def read_calibration(path: Path) -> Calibration:
-    """What a calibration file says.
+    """Reads a calibration file.
 
     Raises:
         RobotFileError: It can't be read, or is none: all mistakes at once.
@@ -122,7 +122,7 @@ class _Reader:
     def _row(
         self, node: Node, names: tuple[str, ...], needed: tuple[str, ...]
     ) -> tuple[float, ...]:
-        """The numbers of a row; those that may be left out are zero."""
+        """The numbers of a row; numbers left out are zero."""
         if not isinstance(node, MappingNode):
             self._complain(node, f"expected {{{', '.join(f'{name}: 0' for name in names)}}}")
             return ()

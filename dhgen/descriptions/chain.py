@@ -52,12 +52,12 @@ class ArmChain:
 
     @property
     def actuated(self) -> tuple[Joint, ...]:
-        """Those that a variable of their own moves."""
+        """The joints that a variable of their own moves."""
         return tuple(joint for joint in self.joints if joint.is_driven)
 
 
 def choose_chain(description: Description, base: str | None, tip: str | None) -> ArmChain:
-    """The chain from one link to another: those that are said, else of the longest arm.
+    """The chain from one link to another: the named ones, else the longest arm's.
 
     Args:
         description: The robot.
@@ -169,7 +169,7 @@ def _from_base(
 
 
 def _from_first_moving(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
-    """Without what stands before the first joint that moves, or before a base that drives."""
+    """The chain without what is before the first joint that moves, or before a base that drives."""
     start = 0
     for place, joint in enumerate(joints):
         if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
@@ -201,7 +201,7 @@ def _fixed_end(description: Description, link: str) -> tuple[Joint, ...]:
 def _passive_end(description: Description, joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
     """The joints behind the last drive that joints of the arm move, as rods keep a tool level.
 
-    None where several ways lead on: which of them carries the tool nobody says.
+    None where several ways go on: which of them carries the tool is not known.
     """
     children = description.children()
     own = {joint.name for joint in joints}
@@ -237,7 +237,7 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
 
 
 def _passive_notes(passive: tuple[Joint, ...], end: str) -> list[str]:
-    """What is said of joints behind the last drive that move the tip."""
+    """Notes on joints behind the last drive that move the tip."""
     followed = [f"{each.name} follows {each.mimics.joint}" for each in passive if each.mimics]
     movers = " and ".join(followed)
     return [f"the tip is moved by the arm, too: {movers} (--tip {end} ends before)"] * bool(passive)
@@ -276,7 +276,7 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
 
 
 def _closure_notes(description: Description, chain: ArmChain) -> list[str]:
-    """What is said of closed chains that joints of the arm are in: poses are those without them."""
+    """Notes on closed chains that joints of the arm are in: poses are computed without them."""
     notes = []
     for first, second in description.closures:
         ways = (set(description.joints_to(link)) for link in (first, second))

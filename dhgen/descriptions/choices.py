@@ -189,7 +189,7 @@ class Choices:
         """Frames after the last joint.
 
         Args:
-            last: What leads to it.
+            last: The choice before it.
             modified: Whether length and twist must be zero.
         """
         line, (R, origin) = last.after, self.arm.tip
@@ -247,7 +247,7 @@ def _rotation(x: Vector, z: Vector) -> Rotation:
 
 
 def _distinct(vectors: Iterable[Vector], near: float) -> list[Vector]:
-    """Each once, the first of those that are nearly one."""
+    """Each direction once, the first of nearly equal ones."""
     found: list[Vector] = []
     for vector in vectors:
         if all(math.dist(vector, other) > near for other in found):

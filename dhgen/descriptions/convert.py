@@ -1,4 +1,4 @@
-"""The front door: a robot description in, a robot file out, and what is to be said of it."""
+"""The front door: a robot description in, a robot file out, with notes on it."""
 
 from __future__ import annotations
 
@@ -124,7 +124,7 @@ def _heading(description: Description, chain: ArmChain, free: tuple[int, ...] | 
 
 
 def robot_file_text(heading: Heading, arm: Arm, *, as_axes: bool) -> tuple[str, list[str]]:
-    """A robot file, and what is to be said of how it is written."""
+    """A robot file, and notes on how it is written."""
     if as_axes:
         _demand_drives(heading, arm)
         return axes_text(heading, arm), []

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 MACROS = b"<xacro:"  # many files declare xacro's namespace and are expanded already
-EXPRESSIONS = (b"${", b"$(")  # which stay behind in what expanded files hold for other programs
+EXPRESSIONS = (b"${", b"$(")  # which remain in what expanded files hold for other programs
 MOST_PACKAGES = 50
 
 

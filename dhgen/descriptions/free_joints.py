@@ -1,8 +1,8 @@
 """Which joints of an arm with more than six the caller is to give: those that leave most structure.
 
 By geometry alone, at once: which six joints have three neighbours whose axes meet or are parallel,
-which is what makes a closed form (Pieper 1968). What each choice costs in full, `dhgen` says of a
-robot file without `free`.
+which is what makes a closed form (Pieper 1968). What each choice costs in full, `dhgen` prints for
+a robot file without `free`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from dhgen.descriptions.lines import Arm, Axis
 
 SIX = 6  # joints that a pose fixes
-ELBOW = 3  # where nothing speaks for any other, the turn of the upper arm is given
+ELBOW = 3  # where no other one is better, the turn of the upper arm is given
 
 
 def free_joints(arm: Arm) -> tuple[int, ...]:

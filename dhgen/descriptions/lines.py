@@ -107,7 +107,7 @@ def _axis(joint: Joint, direction: Vector, point: Vector) -> Axis:
 
 
 def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...]:
-    """Axes of which those that follow others are one with a neighbour on the same line."""
+    """Axes, merged where one follows others and its neighbour is on its line."""
     found: list[Axis] = []
     for axis in axes:
         before = found[-1] if found else None

@@ -1,4 +1,4 @@
-"""XML to a tree of elements that know their places; what could harm is refused where it stands.
+"""XML to a tree of elements with their places; what could harm is refused, with its place.
 
 By expat alone: no entity is defined, so none expands; nothing is fetched. Namespaces are not looked
 at, so a prefix that nobody declared is a part of a name, as the tools that wrote it meant.
@@ -52,7 +52,7 @@ class Element:
     Attributes:
         tag: Its name, prefix included.
         attributes: Values by name.
-        place: Where its start tag stands.
+        place: The place of its start tag.
         children: The elements in it.
     """
 
@@ -108,7 +108,7 @@ class _Reader:
             raise self._refusal(
                 f"this is not well-formed XML: {reason}", error.lineno, error.offset
             ) from None
-        except (ValueError, LookupError) as error:  # an encoding that Python does not know
+        except (ValueError, LookupError) as error:  # an encoding that Python lacks
             raise self._refusal(f"this is not readable XML: {error}", 1, 0) from None
         assert self.root is not None
         return self.root

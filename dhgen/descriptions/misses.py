@@ -40,7 +40,7 @@ def misses(arm: Arm) -> str | None:
 
 
 def misses_note(arm: Arm) -> str | None:
-    """The same, with what takes it as exact."""
+    """The note on misses, with the option that takes them as exact."""
     note = misses(arm)
     if note is None:
         return None

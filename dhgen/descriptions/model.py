@@ -1,4 +1,4 @@
-"""What a robot description says: links and the joints between them."""
+"""The contents of a robot description: links and the joints between them."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class Joint:
         axis: Direction in the joint's frame, of any length but zero.
         limits: Lowest and highest value, as written; None where nothing is written.
         mimics: What this one follows, if it does.
-        place: Where in the file it stands.
+        place: Its place in the file.
     """
 
     name: str

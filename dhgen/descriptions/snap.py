@@ -26,7 +26,7 @@ NOTHING = 1e-13  # [rad, m] what is not worth a word
 
 @dataclass(frozen=True, slots=True)
 class Snapped:
-    """Joints with exact numbers for those that were nearly right.
+    """Joints with exact numbers in place of nearly exact ones.
 
     Attributes:
         joints: From base to tip.

@@ -86,7 +86,7 @@ def _cheapest(choices: Choices, *, modified: bool) -> tuple[list[Passage], float
 def _onward(
     ways: list[tuple[float, list[Passage]]], passages: Iterable[Passage], arm: Arm, number: int
 ) -> list[tuple[float, list[Passage]]]:
-    """The cheapest way to every passage, of those alone that differ for what follows."""
+    """The cheapest way to every passage, of passages that differ for what follows."""
     by_line: dict[object, list[tuple[float, list[Passage]]]] = {}
     for cost, way in ways:
         by_line.setdefault(way[-1].after, []).append((cost, way))

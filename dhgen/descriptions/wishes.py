@@ -1,4 +1,4 @@
-"""What the caller says of an import."""
+"""The options of an import."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True, slots=True)
 class Wishes:
-    """What the caller says of an import.
+    """The options of an import.
 
     Attributes:
         base: The base link, or None for the usual one.

@@ -34,7 +34,7 @@ MOST_TURNS = 1e4  # rad: a limit beyond is as good as none
 
 @dataclass(frozen=True, slots=True)
 class Heading:
-    """What a robot file says before its numbers.
+    """The part of a robot file before its numbers.
 
     Attributes:
         name: Identifier of the robot.

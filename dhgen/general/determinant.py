@@ -48,7 +48,7 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
     Returns:
         (3, 6, 3, 3, N): the coefficients by 1, c1, s1, equation, x3², x3, 1 and x2², x2, 1 with
         x = tan(φ/2), or x = d where the joint slides; all times (1 + x²) for every turn. Where the
-        first is a length, c1 and s1 are those of the angle that stands for it.
+        first is a length, c1 and s1 belong to the angle that represents it.
     """
     K = [np.moveaxis(link, 0, -1) for link in links]
     count = K[0].shape[-1]

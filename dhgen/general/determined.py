@@ -1,4 +1,4 @@
-"""Whether φ5 follows from φ1, φ2 and φ3: where it does not a root stands for two solutions.
+"""Whether φ5 follows from φ1, φ2 and φ3: where it does not a root belongs to two solutions.
 
 B = J(φ4) L3 J(φ5) L4 J(φ6) is known then, and what does not depend on φ4 and φ6 is linear in cos φ5
 and sin φ5: the invariants of axis 4 and axis 6 in B. Where φ5 is a length, some of these are linear
@@ -27,7 +27,7 @@ def middle_determined(K: FloatArray, M: FloatArray, slides: Sequence[bool]) -> f
     """How well φ5 follows from B = J(φ4) K J(φ5) M J(φ6): 0 where B leaves two values, or any.
 
     Where axes 4 to 6 are parallel, or meet in a point, all invariants have one and the same
-    combination of cos φ5 and sin φ5, which says φ5 but for a sign.
+    combination of cos φ5 and sin φ5, which gives φ5 but for a sign.
 
     Args:
         K: The link between φ4 and φ5, (4, 4), in arm sizes.

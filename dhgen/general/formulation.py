@@ -15,7 +15,7 @@ rule; where axes side by side are parallel, or meet, at several places, the dete
 kind may all vanish, and so may those where it is φ5 or φ6, but hardly those where it is hidden.
 
 Three parallel axes, or three that meet, must not be φ4, φ5 and φ6: φ1, φ2 and φ3 then leave two
-solutions for them, and a root of the determinant leads to one.
+solutions for them, and a root of the determinant gives one.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ g = det[u, v, p] = 0.
 
 With Δ the discriminant of γ, all of that is of the form x + y √Δ, and so is g = U + V √Δ. The
 polynomial w (U² − V² Δ) is of degree 4, w = 1 − M_zz²: w g has the degree 3 in U and 2 in V, its
-norm 6, and divides by w once, as at w = 0 one of the two branches stays finite.
+norm 6, and divides by w once, as at w = 0 one of the two branches remains finite.
 
 Numbers x + y √Δ are arrays (2, ...) of x and y, angles are on the last axis ("lanes"), and
 everything is done element by element, so that rounding is the same on every machine.
@@ -187,7 +187,7 @@ def _walk(
 
 
 def _rotations(links: Sequence[FloatArray], slides: Sequence[bool]) -> list[FloatArray]:
-    """A, B, C, D: what stands between the turns, (3, 3, N) each."""
+    """A, B, C, D: the rotations between the turns, (3, 3, N) each."""
     between: list[FloatArray] = []
     for link, slides_here in zip(links, slides, strict=True):
         R = link[:3, :3]

@@ -37,7 +37,7 @@ def on_circle(x: FloatArray) -> FloatArray:
 
 
 def stand_in(length: float) -> tuple[float, float]:
-    """Cosine and sine of the angle ψ that stands for d [arm sizes]."""
+    """Cosine and sine of the angle ψ that represents d [arm sizes]."""
     x = length / UNIT
     c, s = ADVANCE
     cosine, sine = (1.0 - x * x) / (1.0 + x * x), 2.0 * x / (1.0 + x * x)

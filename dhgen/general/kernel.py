@@ -59,9 +59,9 @@ class Score:
         typical: Median displacement of the true root by rounding [rad]. Near 1e-8 or above when
             every root is double.
         worst: Its 99 % quantile [rad].
-        determined: How well φ5 follows from φ1, φ2 and φ3: 0 where a root stands for two solutions,
-            of which one would be lost, and the certificate would not know of it. None where
-            all joints follow in closed form: of an arm with two slides.
+        determined: How well φ5 follows from φ1, φ2 and φ3: 0 where a root belongs to two solutions,
+            of which one would be lost, and the certificate would not notice. None where all joints
+            follow in closed form: of an arm with two slides.
     """
 
     noise: float
@@ -84,7 +84,7 @@ class GeneralKernel:
         loop: The arm as a loop of six joints, in arm sizes.
         formulations: In the order in which they are tried; the second one, for poses where the
             first one fails, with another hidden joint, unless the arm's structure leaves only one;
-            after these such as serve at values of held joints at which the former vanish.
+            then formulations for values of held joints at which the former vanish.
         scores: Of the formulations.
         vanishing: These values, and the formulations that are not tried there.
         wrist: When the arm has an offset wrist, whose polynomial is known in closed form: it is
@@ -113,7 +113,7 @@ class GeneralKernel:
 
     @property
     def links(self) -> tuple[Link, ...]:
-        """The links of the loop, and what stands before and behind the pose."""
+        """The links of the loop, and the transforms before and behind the pose."""
         return (*self.loop.links, self.loop.left, self.loop.right)
 
     @property

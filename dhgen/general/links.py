@@ -81,7 +81,7 @@ class Link:
         return Link(backwards[0], tuple(zip(held, backwards[1:], strict=True)))
 
     def scaled(self, factor: float) -> Link:
-        """The same with all lengths multiplied by a factor."""
+        """The loop with all lengths multiplied by a factor."""
         rest = tuple(
             (Held(h.place, h.slides, h.factor * (factor if h.slides else 1.0)), scaled(K, factor))
             for h, K in self.rest

@@ -97,7 +97,7 @@ def close_loop(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> Loop:
     ]
     size = max(lengths) / 2
     if slides and size <= NO_LENGTH * max(abs(x) for C in fixed for x in _origin(C.first)):
-        size = 1.0  # slides have no length of their own: the file's unit serves
+        size = 1.0  # slides have no length of their own: the file's unit is taken
     if not size > 0.0:
         raise ValueError("the six axes meet in one point")
     left = fixed[0].between(IDENTITY, after[0]).inverse()

@@ -26,8 +26,8 @@ BEYOND: Matrix = (
 )
 # An angle above this [rad] belongs to a pose that the arm does not take: rounding of a
 # pose, as far as it is accepted, is a thousand times less, and the angle is more only where the
-# arm is nearly singular. Where the certificate fails, or solutions meet, it may be: then the
-# second one stands.
+# arm is nearly singular. Where the certificate fails, or solutions meet, it may be: then the second
+# bound holds.
 NEARLY_NONE = 0.01
 NEARLY_NONE_IN_DOUBT = 0.1
 

@@ -1,4 +1,4 @@
-"""The loop of a general arm as the runtime knows it."""
+"""The loop of a general arm for the runtime."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Once for each robot: all formulations on trial, and the choice of the best two.
 
 An arm whose other joints are held has more structure at some of their values, where formulations
-vanish that serve at all others: with the third joint of an xArm 7 at zero, three axes are parallel.
-Those that never do are preferred, and at every such value two of those that are chosen serve.
+vanish that work at all others: with the third joint of an xArm 7 at zero, three axes are parallel.
+Formulations that never vanish are preferred, and at every such value two of the chosen ones work.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def setup(constants: Sequence[Link], slides: tuple[int, ...] = ()) -> GeneralKer
 
 
 def _trials(slides: tuple[int, ...]) -> Iterator[tuple[Formulation, ...]]:
-    """The formulations from which two are to be chosen, those first that serve most arms."""
+    """The formulations from which two are to be chosen, first the ones that work for most arms."""
     yield formulations(slides)
     for slide in slides:
         yield formulations(slides, OTHERS)
@@ -162,7 +162,7 @@ def _scores(
 
 
 def _hidden(theta: Value, sign: int, slides: Sequence[bool]) -> tuple[float, float]:
-    """Cosine and sine of the angle that is hidden, or that stands for a length."""
+    """Cosine and sine of the angle that is hidden, or that represents a length."""
     return stand_in(sign * theta.value) if slides[0] else (theta.cosine, sign * theta.sine)
 
 
@@ -178,7 +178,7 @@ def _determined(links: Sequence[FloatArray], slides: Sequence[bool]) -> float:
 def _witnesses(
     loop: Loop, count: int, special: tuple[int, Value] | None
 ) -> tuple[list[list[Value]], list[FloatArray], FloatArray]:
-    """Random joints, the links (N, 4, 4) each, which depend on those that are held, and the poses.
+    """Random joints, the links (N, 4, 4) each, which depend on the given ones, and the poses.
 
     Without a library's trigonometry.
     """
@@ -227,7 +227,7 @@ def _determinants(
 
 
 def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
-    """The same of an arm with four turns."""
+    """The polynomials of an arm with four turns."""
     count = len(links[0])
     lanes = [np.repeat(np.moveaxis(link, 0, -1), SAMPLES, axis=-1) for link in links]
     cosines, sines = (np.tile(x, count) for x in (COSINES, SINES))

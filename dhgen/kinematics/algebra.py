@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 # Row and column, from 0, of the entries of a pose by their names.
 POSE_PLACES = {f"t{row + 1}{column + 1}": (row, column) for row in range(3) for column in range(4)}
 POSE_NAMES = tuple(POSE_PLACES)
-POINTS = 6  # so many, at most, six unknown joints leave standing still
+POINTS = 6  # so many, at most, do six unknown joints not move
 # no parameter can be called so
 SHOULDER_NAMES = tuple(tuple(f"b__{row}{column}" for column in (1, 2, 3)) for row in (1, 2, 3))
 
@@ -64,12 +64,12 @@ def _suffix(terms: tuple[tuple[int, int], ...]) -> str:
 
 
 def _ways(angle: AngleSum) -> tuple[tuple[tuple[int, int], ...], tuple[tuple[int, int], ...]]:
-    """The terms of a sum, and those of what is opposite to it."""
+    """The terms of a sum, and of the sum's opposite."""
     return angle.terms, tuple((joint, -sign) for joint, sign in angle.terms)
 
 
 def _is_in(terms: tuple[tuple[int, int], ...], left: Mapping[int, int]) -> bool:
-    """Whether angles are among those that are left of a sum."""
+    """Whether angles are among the ones that are left of a sum."""
     return all(left.get(joint, 0) * sign > 0 for joint, sign in terms)
 
 
@@ -192,7 +192,7 @@ def build_algebra(chain: Chain) -> Algebra:
     trig = [name for angle in angles for name in (angle.cosine, angle.sine)]
     constants = [symbol.name for symbol in chain.ring.symbols]
     shoulder = [name for row in SHOULDER_NAMES for name in row] if chain.arm_angle else []
-    # a joint whose value the caller gives may leave one more standing still
+    # a joint whose value the caller gives may leave one more unmoved
     numbers = ("", *range(2, POINTS + chain.given + 1))
     points = tuple((f"w{each}x", f"w{each}y", f"w{each}z") for each in numbers)
     names = [

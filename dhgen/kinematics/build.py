@@ -150,7 +150,7 @@ def _passive(
 
 
 def _offset(place: int, rows: Sequence[DhRow]) -> Expression:
-    """What is constant of a passive row's angle or length, and stands in its link.
+    """The constant part of a passive row's angle or length, which is in its link.
 
     A joint's offset is the joint's own; so is that of a row which is no sum of joints' values.
     """

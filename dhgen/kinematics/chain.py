@@ -1,8 +1,8 @@
 """The chain: what every robot file becomes, constant and joint transforms in alternation.
 
-Nothing after this module knows whether the arm was written as a standard table, as a modified table
-or as axes in the reference position. The links keep the frames of the document, so that U_i is the
-document's U_i.
+Nothing after this module depends on whether the arm was written as a standard table, as a modified
+table or as axes in the reference position. The links keep the frames of the document, so that U_i
+is the document's U_i.
 """
 
 from __future__ import annotations

@@ -48,7 +48,7 @@ _NONE = _Passage(0.0, 0.0, 0.0, 0.0)
 
 
 def table_of_axes(robot: Robot, reference: ReferenceAxes) -> tuple[Robot, DhTable]:
-    """The same arm as a modified table, with base and tool that fit it.
+    """The arm as a modified table, with base and tool that fit it.
 
     Args:
         robot: The arm.

@@ -70,7 +70,7 @@ class Drives:
 
     @property
     def order(self) -> tuple[int, ...]:
-        """The joints, from 1, each behind those whose drives move it, too."""
+        """The joints, from 1, each behind joints whose drives move it, too."""
         found: list[int] = []
         pending = list(range(1, len(self.signs) + 1))
         while pending:
@@ -106,7 +106,7 @@ class Drives:
         return np.asarray(q * self.signs + self.offsets)
 
     def rates(self, along: FloatArray) -> FloatArray:
-        """Derivatives by the drives (..., n) of those by the angles and lengths."""
+        """Derivatives by the drives (..., n) from derivatives by the angles and lengths."""
         return np.asarray(along @ self.matrix if self.are_coupled else along * self.signs)
 
     def back(self, values: Sequence[FloatArray]) -> list[FloatArray]:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _COORDINATES = ("t14", "t24", "t34")
 _SECOND = frozenset({"t12", "t22", "t32"})
-SHORT = 1e-12  # square of what a vector is at least that yaw is told by
+SHORT = 1e-12  # square of the least length of a vector that gives a yaw
 STEEPNESS = "t31"  # minus the sine of the pitch
 _DIRECTIONS = {
     Directions.NONE: frozenset[str](),
@@ -37,7 +37,7 @@ def task_entries(task: Task) -> frozenset[str]:
 
 
 def compared_entries(task: Task) -> frozenset[str]:
-    """Those of them that have to be compared: two columns of a rotation leave none for the third.
+    """The task's entries that have to be compared: two columns of a rotation fix the third.
 
     With those two off by no more than a small d each, the second is off by less than 3 d. An arm
     that is asked for a yaw keeps the tool's x axis level wherever it is.

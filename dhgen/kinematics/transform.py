@@ -39,7 +39,7 @@ class Transform:
         return tuple(self.entry(row, column) for row in AXES)
 
     def mapped(self, change: Callable[[Polynomial], Polynomial]) -> Transform:
-        """The same with every entry changed."""
+        """The transform with every entry changed."""
         return Transform(
             tuple(tuple(change(entry) for entry in row) for row in self.rotation),
             tuple(change(entry) for entry in self.translation),

@@ -53,7 +53,7 @@ def coupled_turns(chain: Chain) -> CoupledTurns | None:
 def joints_alone(chain: Chain) -> tuple[ChainJoint, ...]:
     """The joints with the limits that are looked at for each alone.
 
-    Where the whole turns of drives move others, only all of them together say what is inside.
+    Where the whole turns of drives move others, only all of them together decide what is inside.
     """
     turns = coupled_turns(chain)
     moved = frozenset[int]() if turns is None else turns.moved
@@ -79,7 +79,7 @@ def turns_alone(chain: Chain) -> bool:
 
 
 def turns_together(chain: Chain) -> tuple[tuple[int, FloatArray], ...]:
-    """What a whole turn of each drive moves, drives before those that it moves.
+    """What a whole turn of each drive moves, drives before the drives that it moves.
 
     None of them where every drive's whole turns are its own; else those of all that turn and are
     solved for, from 1.
@@ -92,7 +92,7 @@ def turns_together(chain: Chain) -> tuple[tuple[int, FloatArray], ...]:
 
 
 def has_poses_to_clamp(chain: Chain) -> bool:
-    """Whether an arm has limits, and poses that rounding says little about: not one of slides.
+    """Whether an arm has limits, and poses at which rounding is magnified: not one of slides.
 
     An arm angle would be one more thing that has to be met.
     """

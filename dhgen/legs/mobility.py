@@ -7,9 +7,9 @@ ball in space, one of a pin in the plane, none where no orientation counts. So
 
     M = f_1 + ... + f_L - n (L - 1).
 
-What keeps a platform level without being a joint of a leg, like the parallelograms of a Delta,
-stands in the task: it names no orientation then. The count does not see special geometry: legs
-whose constraints are dependent are found where the velocities are.
+What keeps a platform level without being a joint of a leg, like the parallelograms of a Delta, is
+in the task: it names no orientation then. The count does not see special geometry: legs whose
+constraints are dependent are found where the velocities are.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def counted(task: Task, joints: Sequence[int], points: Sequence[bool], driven: i
 
 
 def faults(count: Count) -> list[str]:
-    """Why a platform can't be moved as the task says; nothing where it can."""
+    """Why a platform can't be moved as its task needs; nothing where it can."""
     found = []
     kutzbach = f"by Gruebler and Kutzbach {count.text}"
     if count.mobility != count.task:

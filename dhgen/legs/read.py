@@ -55,7 +55,7 @@ def assemble_parallel(report: Report) -> ParallelRobot | None:
 
 @dataclass(frozen=True, slots=True)
 class _Read:
-    """A leg as written, which may stand for several.
+    """A leg as written, which may describe several.
 
     Attributes:
         path: Its place.
@@ -136,7 +136,7 @@ class _Reading:
 
     def _leg(self, path: Path) -> _Read | None:
         if not isinstance(self.report.document.plain(path), dict):
-            return None  # which is told already
+            return None  # which is reported already
         entry = self.shape.section(path, LegEntry)
         own = Assembly(self.report, self.shape, self.cells, path)
         geometry, base, frame = own.geometry(), own.frame("base"), own.frame("frame")
@@ -159,7 +159,7 @@ class _Reading:
         )
 
     def _carried(self, path: Path) -> Sequence[str]:
-        """The keys that say what a leg carries; other numbers of them than one are reported."""
+        """The keys for what a leg carries; other numbers of them than one are reported."""
         written = cast("dict[str, object]", self.report.document.plain(path))
         given = [key for key in ("point", "frame") if key in written]
         if len(given) != 1 and written.keys() <= LegEntry.model_fields.keys():  # none misspelt
@@ -185,7 +185,7 @@ class _Reading:
         return Frame((ZERO, ZERO, ZERO), rotation)
 
     def _is_movable(self, task: Task, legs: Sequence[_Read]) -> bool:
-        """Whether legs can move a platform as a task says; if not, why is reported."""
+        """Whether legs can move a platform as a task needs; if not, why is reported."""
         each = [leg for leg in legs for _ in leg.turns]
         if len(each) < 2:
             message = "a parallel robot has two legs at least; one alone is a serial robot"
@@ -211,7 +211,7 @@ class _Reading:
                 self._demand_level(leg)
 
     def _are_apart(self, legs: Sequence[Leg]) -> bool:
-        """Whether no leg stands where another one does; if one does, it is reported."""
+        """Whether no leg is mounted where another one is; if one is, it is reported."""
         for number, leg in enumerate(legs):
             if (first := legs.index(leg)) < number:
                 message = (
@@ -231,7 +231,7 @@ class _Reading:
                 self.report.error_at_key((*leg.path, key), message)
 
     def _demand_slides_in_the_plane(self, leg: _Read) -> None:
-        """Reports slides of a leg of a planar platform that lead out of the plane."""
+        """Reports slides of a leg of a planar platform that move out of the plane."""
         by_rows = isinstance(leg.geometry, DhTable)
         message = "this joint slides along z, out of the plane of x and y that the task names"
         if by_rows:
@@ -267,7 +267,7 @@ class _Reading:
         leg: _Read,
         task: Task,
     ) -> list[Leg]:
-        """The legs that a leg as written stands for; their chain has no name yet."""
+        """The legs that a leg as written describes; their chain has no name yet."""
         robot = Robot(
             name="",
             title=f"{file.title or file.name}: a leg",

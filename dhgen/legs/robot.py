@@ -70,7 +70,7 @@ class ParallelRobot:
         return sum(len(leg.driven) for leg in self.legs)
 
     def with_numerical(self) -> ParallelRobot:
-        """The same with chains that the numerical solver may take."""
+        """The robot with chains that the numerical solver may take."""
         legs = (replace(leg, chain=replace(leg.chain, numerical=True)) for leg in self.legs)
         return replace(self, legs=tuple(legs))
 

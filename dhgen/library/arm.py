@@ -116,7 +116,7 @@ class Arm:
 
         Raises:
             ValueError: There is no derivation in that language.
-            UnsolvedError: No derivation solves the arm; the message says why.
+            UnsolvedError: No derivation solves the arm; the message names the reason.
             PrecisionError: The robot file asks for single precision, which this arm can't have.
         """
         from dhgen.library.kept import folder_of, is_whole  # noqa: PLC0415
@@ -161,7 +161,7 @@ class Arm:
                 else it is Python, with numba.
 
         Raises:
-            UnsolvedError: No derivation solves the arm; the message says why.
+            UnsolvedError: No derivation solves the arm; the message names the reason.
             PrecisionError: The robot file asks for single precision, which this arm can't have.
             VerificationError: The solver does not do what it promises: a bug in dhgen.
             CompilerError: The C compiler can't build anything.
@@ -180,7 +180,7 @@ class Arm:
         from dhgen.library.kept import keep, room_for  # noqa: PLC0415
         from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
-        room_for(folder).cleanup()  # nobody waits a minute to hear that nothing can be kept
+        room_for(folder).cleanup()  # nobody waits a minute to learn that nothing can be kept
         progress(f"building the solver of {self.name}, once; deriving")
         compilation = self._compilation
         try:

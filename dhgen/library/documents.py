@@ -48,7 +48,7 @@ class Document(str):
         return f"<{title}; {len(self.splitlines())} lines of Markdown, to print or to save>"
 
     def _repr_markdown_(self) -> str:
-        """The same as notebooks read it: formulas between dollar signs, figures in the text."""
+        """The document as notebooks read it: formulas between dollar signs, figures in the text."""
         shown = _INLINE.sub(r"$\1$", _DISPLAY.sub(r"$$\n\1\n$$", str(self)))
         for path, figure in self.figures.items():
             data = b64encode(figure.encode()).decode()

@@ -1,4 +1,4 @@
-"""What is said while a solver is built: by default a line a stage, where a person waits."""
+"""Messages while a solver is built: by default a line a stage, where a person waits."""
 
 from __future__ import annotations
 

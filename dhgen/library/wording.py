@@ -1,4 +1,4 @@
-"""What the command advises, for those who are in Python: options as arguments of `dhgen.load`."""
+"""The command's advice for Python: options as arguments of `dhgen.load`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NUMBERS = frozenset({"snap"})
 
 
 def note_for_python(error: DhgenError, source: str) -> None:
-    """Adds to an exception how the options that its text advises are said in Python.
+    """Adds to an exception how the options that its text advises are written in Python.
 
     Args:
         error: Its text is that of the command.

@@ -58,7 +58,7 @@ class Bounds:
         self._radii: dict[Node, Node] = {}
 
     def change(self, node: Node) -> Change | None:
-        """By how much a value differs; None where it is the same all over the ball."""
+        """By how much a value differs; None where it is constant all over the ball."""
         if node not in self._changes:
             self._changes[node] = self._worked_out(node, self._builder.entries[node])
         return self._changes[node]
@@ -149,7 +149,7 @@ class Bounds:
         return Change(tuple(slopes), self._sum([left.rest, right.rest]))
 
     def _scaled(self, factor: Node, node: Node) -> Change | None:
-        """Of a value times another one, as far as that is the same everywhere."""
+        """The bound of a value times another one, as far as that is constant everywhere."""
         change = self.change(node)
         if change is None:
             return None

@@ -1,4 +1,4 @@
-"""The regular program of the nearest arm, with what shows that its rows lead to all of an arm's.
+"""The regular program of the nearest arm, with what shows that its rows are next to all solutions.
 
 Whatever joint values the arm takes to T, those that the caller gives among them, the nearest arm
 takes them to a pose T' that is no farther from T than the two arms differ. So T' is in a ball
@@ -8,7 +8,7 @@ something vanishes:
 
 - Where what is under a root passes through zero two of them end together. It is known where it is
   negative all over the ball: there is no solution then. If it is negative at T alone, the pose is
-  left. If it is positive at T there are two rows, and corrections of both tell.
+  left. If it is positive at T there are two rows, and corrections of both decide.
 - Where a divisor vanishes, or what is under a root and never negative, or what the program compares
   with a tolerance, a joint is indeterminate: there a pose is left whose ball reaches that.
 """
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 OWN = "near"  # what the names of the nearest arm's numbers, and of others made here, begin with
 COMPARISONS = frozenset({"less", "at_most"})
 SIGNS = frozenset({"neg", "abs"})
-POSES = 500  # by which what may be negative is told from what is not
+POSES = 500  # by which values that may be negative are recognized
 NEGATIVE = 1e-6  # times the largest value: less is rounding
 
 
@@ -50,7 +50,7 @@ def certified(solver: Regular, given: int, names: frozenset[str]) -> Regular | N
         solver: The regular program of the nearest arm, without limits.
         given: How many values the caller gives. Behind them come two numbers: by how much its tool
             may be turned to that of the arm, and how far it may be away.
-        names: Of the arm's own numbers, which stand beside those of the nearest arm.
+        names: Of the arm's own numbers, beside the nearest arm's.
 
     Returns:
         None where a value on which a branch may end has no bound.
@@ -204,7 +204,7 @@ class _Certificate:
     def _may_begin(self, node: Node) -> Node | None:
         """Whether what is under a root is negative here, and may be positive within the ball.
 
-        None of a value that does not change in it: what the program says of it is enough.
+        None of a value that does not change in it: the program's own test is enough.
         """
         builder, radius = self._builder, self._bounds.radius(node)
         if radius is None:

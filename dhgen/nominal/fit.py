@@ -1,4 +1,4 @@
-"""The numbers of a table that take the tool to nearly the same poses as an arm does.
+"""The numbers of a table that take the tool to nearly an arm's poses.
 
 Where a frame is on its axis, and how it is turned about it, is free: an arm is constants between
 such frames, C0 J(q1) C1 ... J(qn) Cn. What the constants of two arms differ by adds up to a bound
@@ -63,7 +63,7 @@ def fitted(start: Fit, wanted: FloatArray, size: float) -> Fit:
     """The best numbers.
 
     Args:
-        start: Numbers near them. What is zero in its table stays so, and twists stay as they are.
+        start: Numbers near them. Zeros of its table and twists are kept.
         wanted: C0 ... Cn of the arm, (n + 1, 4, 4).
         size: The length that counts as much as 1 rad.
     """

@@ -36,7 +36,7 @@ class Neighbours:
 def neighbours(directions: FloatArray, points: FloatArray) -> tuple[Neighbours, ...] | None:
     """How each axis lies to the one before; None where one lies on it.
 
-    Common normals of nearly parallel axes are anywhere: there the foot stays where it was.
+    Common normals of nearly parallel axes are anywhere: there the foot is kept.
 
     Args:
         directions: Unit vectors along the axes, (n, 3).

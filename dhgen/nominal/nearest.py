@@ -59,7 +59,7 @@ def nearest_arms(chain: Chain) -> list[Nearest]:
     """Arms that may have a structure, the nearest first; none where nothing is missed by little.
 
     All small lengths are zero in the last one. A structure may not need all of these zeros: before
-    it stand those that are much nearer by keeping one of the lengths.
+    it come arms that are much nearer by keeping one of the lengths.
 
     Args:
         chain: An arm of joints that turn.

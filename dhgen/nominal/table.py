@@ -36,7 +36,7 @@ class Table:
     d: tuple[float, ...]
 
     def links(self, lengths: FloatArray, offsets: FloatArray) -> FloatArray:
-        """What stands between the joints, (n - 1, 4, 4).
+        """The transforms between the joints, (n - 1, 4, 4).
 
         Args:
             lengths: In the place of all that are not zero: of a, then of d.
@@ -61,7 +61,7 @@ class Table:
         return np.array([length for length in (*self.a, *self.d) if length])
 
     def filled(self, lengths: FloatArray) -> tuple[list[float], list[float]]:
-        """Both columns with these lengths in the place of those that are not zero."""
+        """Both columns with these lengths in place of the nonzero ones."""
         left = iter(map(float, lengths))
         a, d = ([next(left) if each else 0.0 for each in column] for column in (self.a, self.d))
         return a, d

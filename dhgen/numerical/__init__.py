@@ -1,1 +1,1 @@
-"""What damped least squares know of an arm; the steps themselves are in the runtime."""
+"""An arm's constants for damped least squares; the steps themselves are in the runtime."""

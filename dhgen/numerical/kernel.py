@@ -1,4 +1,4 @@
-"""What least squares know of an arm and its task."""
+"""The constants of an arm and its task for least squares."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ class NumericalKernel:
 
     @property
     def entries(self) -> int:
-        """How many numbers tell by how much a pose is missed."""
+        """How many numbers measure the miss of a pose."""
         return len(self.position) + MISSES[self.directions.value]
 
     @property

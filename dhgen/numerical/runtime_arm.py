@@ -1,4 +1,4 @@
-"""An arm as the runtime knows it: its joints, its task and its forward model in numbers."""
+"""An arm for the runtime: its joints, its task and its forward model in numbers."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _order(chain: Chain) -> list[int]:
 
 
 def _link(chain: Chain, number: int, after: Matrix) -> ChainJoint:
-    """A joint of the forward model; those beyond the last are passive rows."""
+    """A joint of the forward model; places beyond the last are passive rows."""
     if number > chain.dof:
         passive = chain.passive[number - chain.dof - 1]
         return ChainJoint(
@@ -79,7 +79,7 @@ def twelve(K: Matrix) -> tuple[float, ...]:
 
 
 def _joint(joint: OwnJoint) -> Joint:
-    """A joint that is solved for; its sign and offset in the loop are those of the chain."""
+    """A joint that is solved for, with the chain's sign and offset in the loop."""
     lowest, highest = joint.limits or (-inf, inf)
     return Joint(
         place=joint.number - 1,

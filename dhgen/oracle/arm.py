@@ -64,7 +64,7 @@ class Arm:
         return len(self.turns) > len(self.revolute)
 
     def divided_by(self, length: float) -> Arm:
-        """The same arm with all lengths, also those of prismatic q, divided by a length."""
+        """The arm with all lengths, prismatic q included, divided by a length."""
         before, twist, end = self.before.copy(), self.twist.copy(), self.end.copy()
         before[:, :3, 3] /= length
         twist[self.turns, :3, 3] /= length

@@ -23,7 +23,7 @@ STRAIGHT = 1e-7  # root of an area, in arm sizes, below which the elbow is on no
 
 
 def given_values(robot: Robot, q: FloatArray) -> FloatArray:
-    """What the caller gives besides the pose to be told q (..., n) again, shape (..., k)."""
+    """What the caller gives besides the pose to get q (..., n) again, shape (..., k)."""
     q = np.asarray(q, dtype=float)
     if robot.arm_angle:
         return arm_angle(robot, q)[..., None]

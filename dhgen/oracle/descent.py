@@ -35,7 +35,7 @@ REGULAR = 1e-7  # least singular value of the task's Jacobian at an isolated, si
 
 
 def descend(problem: Problem, q: FloatArray) -> FloatArray:
-    """Follow every start (N, n) downhill; those (M, n) that reached the pose, or nearly."""
+    """Follow starts (N, n) downhill; returns the ends (M, n) that reach the pose, or nearly."""
     ends = q.copy()
     if problem.elbow is not None or problem.model.is_coupled:
         return _damped(problem, ends)
@@ -51,7 +51,7 @@ def descend(problem: Problem, q: FloatArray) -> FloatArray:
 
 
 def _damped(problem: Problem, q: FloatArray) -> FloatArray:
-    """The same for all starts at once, for errors that are more than entries of a pose."""
+    """Damped steps of all starts at once, for errors that are more than entries of a pose."""
     damping = np.full(len(q), FIRST_DAMPING)
     error, J = problem.residual(q)
     cost = _squares(error)
@@ -96,7 +96,8 @@ def polish(
         # beside a double root the steps are rounding, magnified: only gains are kept
         gains = cost < least[moved]
         best[moved[gains]], least[moved[gains]] = q[gains], cost[gains]
-        # directions in which nothing moves are left alone, so a point of a continuum stays put
+        # directions in which nothing moves are left alone, so a point of a continuum is left where
+        # it is
         step = (np.linalg.pinv(J, rcond=NOTHING_MOVES) @ error[..., None])[..., 0]
         going = np.abs(step).max(axis=1, initial=0.0) > STILL
         if not going.any():

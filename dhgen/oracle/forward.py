@@ -1,6 +1,6 @@
 """Forward kinematics and Jacobian of a robot file, in plain NumPy, for any number of joint vectors.
 
-The same names serve one joint vector, shape (n,), and batches of them, shape (..., n).
+Every function takes one joint vector, shape (n,), or batches of them, shape (..., n).
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def forward(robot: Robot | Arm, q: ArrayLike) -> AnyArray:
 
     Args:
         robot: The robot, or its numbers when many calls follow.
-        q: Joint values [rad or length], shape (..., n); complex values serve derivatives.
+        q: Joint values [rad or length], shape (..., n); complex values are for derivatives.
 
     Returns:
         T_base_tool, shape (..., 4, 4).
@@ -62,7 +62,7 @@ def forward_with_derivatives(model: Arm, q: ArrayLike) -> tuple[FloatArray, Floa
     suffix = np.broadcast_to(model.end, T.shape)
     derivatives = np.empty(moved.shape)
     for joint in reversed(range(len(model.before))):
-        # exp(xi q) and xi commute, so the twist may stand behind the motion
+        # exp(xi q) and xi commute, so the twist may come behind the motion
         derivatives[..., joint, :, :] = prefixes[joint] @ (model.twist[joint] @ suffix)
         suffix = (model.before[joint] @ moved[..., joint, :, :]) @ suffix
     if model.is_coupled:

@@ -155,7 +155,7 @@ def _follow_one(
     moving: Indices,
     here: FloatArray,
 ) -> float:
-    """The same of one start (n,), which is overwritten with its end; the squared residual."""
+    """Follows one start (n,), which is overwritten with its end; returns the squared residual."""
     n, m, k = len(here), len(entries), len(moving)
     T, axes, L = np.empty((3, 4)), np.empty((n, 6)), np.empty((k, k))
     error, J, gradient, step = np.empty(m), np.empty((m, k)), np.empty(k), np.empty(k)

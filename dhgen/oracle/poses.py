@@ -1,8 +1,8 @@
 """Joint vectors at whose poses a solver must answer: anywhere, at right angles, on limits.
 
-Every set is an array of joint vectors (N, n), the same on every run. Prismatic joints stay within
-their limits, or within the arm's size when they have none. Revolute joints turn all the way round
-except in `boundary`.
+Every set is an array of joint vectors (N, n), equal on every run. Prismatic joints are within their
+limits, or within the arm's size when they have none. Revolute joints turn all the way round except
+in `boundary`.
 """
 
 from __future__ import annotations

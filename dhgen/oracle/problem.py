@@ -21,14 +21,14 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
     from dhgen.robot.task import Task
 
-# Solutions beyond the limits are solutions too (their status says so), so the starts of a
+# Solutions beyond the limits are solutions too, with a status of their own, so the starts of a
 # prismatic joint are drawn from its whole surroundings, in units of the arm's size.
 PRISMATIC_REACH = 1.5
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """A pose to reach; all lengths, also those of prismatic q, are divided by `unit_length`.
+    """A pose to reach; all lengths, prismatic q included, are divided by `unit_length`.
 
     Attributes:
         model: The robot's numbers.

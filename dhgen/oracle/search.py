@@ -1,8 +1,8 @@
 """A search for all inverse kinematic solutions of a pose, downhill from very many starts.
 
-Nothing here knows about a robot's structure: it is slow, plain, and finds for any arm and any
-task what a closed form must also find. Random starts go on, batch after batch, until several
-batches in a row brought nothing new and every solution has been met more than once.
+Nothing here depends on a robot's structure: it is slow, plain, and finds for any arm and any task
+what a closed form must also find. Random starts go on, batch after batch, until several batches in
+a row brought nothing new and every solution has been met more than once.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 BATCH = {1: 32, 2: 32, 3: 64}  # starts at once, by the number of joints to find
 LARGEST_BATCH = 128
 QUIET_BATCHES = 3  # batches in a row without a new solution before the search ends
-TIMES_MET = 3  # a solution met less often than this says that others may be missing
+TIMES_MET = 3  # where a solution is met less often others may be missing
 MOST_BATCHES = 40
 
 SAME = 1e-7  # solutions closer than this [rad, or arm sizes] are one
@@ -71,7 +71,8 @@ def solve(
     They may be inside the joint limits or not.
 
     Args:
-        robot: The robot; its task says which entries of T count, its `free` which joints are given.
+        robot: The robot; its task names the entries of T that count, its `free` the joints that are
+        given.
         T: Pose of the tool in the base, shape (4, 4).
         q_free: Values of the free joints [rad or length], in the order of `robot.free`, or the arm
             angle.

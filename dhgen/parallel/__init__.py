@@ -1,7 +1,7 @@
 """Parallel robots: a platform on legs, each of them a serial chain that the rest of dhgen solves.
 
 What a file with `legs` describes is in dhgen/legs. Read `compile`, which solves the legs' chains as
-serial arms: `module` has what is printed of these and where they stand, `driven` the C of the
+serial arms: `module` has what is printed of these and where they are mounted, `driven` the C of the
 driven joints alone, `targets` the files in C and Python. `worked` finds an example, of which
 `document` makes the derivation, with its `figure`, and `printing` the formats. `native` has the C
 as functions for Python, by which `verify` proves the files.

@@ -80,7 +80,7 @@ def compile_parallel(
     out: Path | None = None,
     single_file: bool = False,
 ) -> ParallelCompilation:
-    """The same of a parallel robot."""
+    """Compiles a parallel robot."""
     chains = tuple(
         _of_legs(file, chain, partial(compile_loaded, out=out, single_file=single_file), progress)
         for chain in file.chains

@@ -162,7 +162,7 @@ def _solved(
 
 
 def _name(name: str) -> Symbol:
-    """The name of a chain, the same in all languages."""
+    """The name of a chain, equal in all languages."""
     return Symbol(rf"\mathtt{{{name}}}".replace("_", r"\_"), name)
 
 
@@ -236,7 +236,7 @@ def _compared(module: ParallelModule) -> Block:
 
 
 def parallel_summary(module: ParallelModule) -> str:
-    """What a terminal is told: the robot, and how it is solved."""
+    """The summary for a terminal: the robot, and how it is solved."""
     kinds = Counter(leg.solver.name for leg in module.legs)
     of = {leg.solver.name: leg.solver for leg in module.legs}
     legs = ", ".join(f"{n} {of[name].chain.joint_types} ({name})" for name, n in kinds.items())

@@ -1,4 +1,4 @@
-"""What the code targets print of a parallel robot: its legs' solvers and where these stand."""
+"""What the code targets print of a parallel robot: its legs' solvers and their places."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ class ParallelModule:
     """A parallel robot as it is printed.
 
     Attributes:
-        robot: What its file says.
+        robot: Its file's contents.
         legs: Its legs with their solvers.
         source: How the robot file is called, relative.
         digest: Of the robot file.

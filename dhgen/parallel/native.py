@@ -91,7 +91,8 @@ class Native:
         """All poses of drives' values.
 
         Raises:
-            ValueError: They are a continuum, or the drives are not finite; the status says which.
+            ValueError: They are a continuum, or the drives are not finite; the status is in the
+            message.
         """
         T = np.empty((6, 4, 4))
         count = self._call("assemblies", drives, T)

@@ -54,7 +54,7 @@ def derivations_as(
     out: Path | None,
     language: Language = ENGLISH,
 ) -> tuple[str, Mapping[str, str]]:
-    """The document with those of the legs, and texts of files beside it by their paths.
+    """The document with the legs' documents, and texts of files beside it by their paths.
 
     As text they follow in the same document; in other formats they are documents of their own.
 

@@ -1,4 +1,4 @@
-"""The files of a parallel robot in C and Python, beside those of its legs' chains."""
+"""The files of a parallel robot in C and Python, beside its legs' chains' files."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ParallelTexts:
-    """What the files say of themselves.
+    """The comments of the files.
 
     Attributes:
         about: What they are, in a comment of C.

@@ -1,8 +1,8 @@
 """Proves that the written files of a parallel robot do what they promise, or refuses them.
 
 The legs' chains are proven as serial arms before. Here every row closes its leg by an independent
-forward model, C and Python agree, the direct model leads back to the pose from a pose nearby, and A
-and B are what differences of the inverse model say.
+forward model, C and Python agree, the direct model returns to the pose from a pose nearby, and A
+and B agree with differences of the inverse model.
 """
 
 from __future__ import annotations
@@ -160,7 +160,7 @@ class _Checker:
     def _languages(
         self, T: FloatArray, q: FloatArray, status: Statuses, mode: FloatArray, where: str
     ) -> None:
-        """C says what Python says."""
+        """C and Python give equal results."""
         found = self._python.ik(T, mode)
         if not self._near(found, mode):
             raise VerificationError(f"{where}: the solution nearest to one is not that one")
@@ -178,7 +178,7 @@ class _Checker:
             raise VerificationError(f"{where}: C has another nearest solution")
 
     def _drives(self, T: FloatArray, q: FloatArray, status: Statuses, where: str) -> None:
-        """The driven joints alone are those of all, also one pose alone."""
+        """The driven joints alone are those of the full solutions, for one pose, too."""
         assert self._native is not None
         wanted = driven_of_rows(self._module.driven_joints, q)
         taken = [self._native.ik_drives(pose) for pose in T]
@@ -196,7 +196,7 @@ class _Checker:
             raise VerificationError(f"{where}: in C, ik_drives counts {counts.tolist()} modes")
 
     def _near(self, one: FloatArray, other: FloatArray) -> bool:
-        """Whether joint values are the same, whole turns aside."""
+        """Whether joint values are equal, whole turns aside."""
         off = np.where(np.isnan(one) & np.isnan(other), 0.0, one - other)
         off = off.reshape(len(self._module.legs), -1, self._module.joints)
         for leg, rows in zip(self._module.legs, off, strict=True):
@@ -207,7 +207,7 @@ class _Checker:
         return bool((np.abs(off) <= AGREED * max(1.0, self._module.size)).all())
 
     def _slopes(self, T: FloatArray, mode: FloatArray, where: str) -> None:
-        """A and B are what differences of the inverse model say."""
+        """A and B agree with differences of the inverse model."""
         A, B = self._python.velocities(T, mode)
         units = [self._module.size if each < 3 else 1.0 for each in self._module.freedoms]
         wanted = np.linalg.solve(B, A)
@@ -233,7 +233,7 @@ class _Checker:
         return np.asarray((ahead - behind) / (2.0 * step))
 
     def _direct(self, T: FloatArray, mode: FloatArray, where: str) -> None:
-        """The direct model leads back, and the pose is among all assemblies.
+        """The direct model returns to the pose, which is among all assemblies.
 
         It starts beside the pose, to the side that all legs reach: one may be nearly stretched.
         """
@@ -286,7 +286,7 @@ class _Checker:
             )
 
     def batch(self, poses: FloatArray) -> None:
-        """Batches say what single poses say."""
+        """Batches give the results of single poses."""
         q, status = self._python.ik_batch(poses)
         seed = np.zeros((len(self._module.legs), self._module.joints))
         alone = [self._python.ik_all(T, seed) for T in poses]

@@ -163,7 +163,7 @@ def example_of(module: ParallelModule) -> Example | None:
     platform, source = platform_of(module), np.random.default_rng(3)
     poses = drawn_poses(module, source)
     upright = poses[:, 2, 3] > 0.0 if platform.task == POSE else np.ones(len(poses), bool)
-    for T in poses[upright][:TRIED]:  # a platform that moves in all ways stands on its legs
+    for T in poses[upright][:TRIED]:  # a platform that moves in all ways is on top of its legs
         X = _rounded(platform, T)
         q = [np.asarray(leg.module.ik_all(leg.pose(X))[0]) for leg in platform.legs]
         inside = [_inside(rows, leg.solver) for rows, leg in zip(q, module.legs, strict=True)]

@@ -6,6 +6,6 @@ Read `problem` and `equation`, what is asked and what is written down; `pool`, a
 give an unknown; `search`, the cheapest order of steps; `derivation`, what comes out; `derive` does
 all of this. Beside them `witness`, with `samples`, makes sure that coefficients do not vanish;
 `degeneracy`, with `common_zeros`, finds where they do, and `fallback_equation` a second equation
-there; `common_factor` sees which share no factor; `close_roots` says whether a quartic is of use.
-`mobility` and `refusal` are for arms that have no solution of this kind.
+there; `common_factor` sees which share no factor; `close_roots` decides whether a quartic is of
+use. `mobility` and `refusal` are for arms that have no solution of this kind.
 """

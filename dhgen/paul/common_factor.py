@@ -1,6 +1,6 @@
 """Whether polynomials have a factor in common, seen in images of one letter.
 
-Most have none, and a greatest common divisor in all letters takes five times as long to say so.
+Most have none, and a greatest common divisor in all letters takes five times as long to find that.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
 
 PRIME = 2**61 - 1
-FACTOR = 48271  # its powers stand for letters
+FACTOR = 48271  # its powers replace letters
 
 
 def have_nothing_in_common(polynomials: Sequence[Polynomial]) -> bool:

@@ -171,7 +171,7 @@ def _at(algebra: Algebra, polynomial: Polynomial, q: FloatArray) -> FloatArray:
 
 
 def values_at(algebra: Algebra, q: FloatArray) -> FloatArray:
-    """The generators of an arm but those of the pose, (generators, n).
+    """The generators of an arm without the pose's, (generators, n).
 
     Args:
         algebra: The arm's ring.

@@ -51,7 +51,7 @@ OFTEN = 1  # condition on the joints, which home poses and right angles meet
 
 
 def best_route(search: Search, pool: Pool, numbers: Sequence[int] = ()) -> Route | None:
-    """The cheapest order of steps, of those that are degenerate least.
+    """The cheapest of the orders of steps that are degenerate least.
 
     Only what the search takes is looked into: most steps are never taken.
 
@@ -138,7 +138,7 @@ def _degenerate_at(pool: Pool, knowledge: Knowledge, step: Step) -> FloatArray:
 
 
 def _degenerate_zeros(factors: Factors, knowledge: Knowledge, step: Step) -> FloatArray:
-    """Those joint values as the algebra counts them, (dof, n)."""
+    """Joint values where a step is degenerate, as the algebra counts them, (dof, n)."""
     zeros = factors.zeros()
     if not zeros.size:
         return zeros
@@ -174,7 +174,7 @@ def _leading(step: Step) -> list[Polynomial]:
 
 
 def _joint_values(chain: Chain, q: FloatArray) -> FloatArray:
-    """Joint values as the caller counts them (n, dof), from those of the algebra."""
+    """Joint values as the caller counts them (n, dof), from the algebra's."""
     values = [
         row * (chain.size if joint.kind is JointKind.PRISMATIC else 1)
         for joint, row in zip(chain.joints, q, strict=True)

@@ -109,7 +109,7 @@ class FormReader:
                 yield look
 
     def _simplest(self, looks: Sequence[_Look]) -> Iterable[_Look]:
-        """Those with the fewest terms, and those with the fewest that hold an unknown."""
+        """The equations with the fewest terms, and with the fewest terms that hold an unknown."""
         if len(looks) <= ENOUGH:
             return looks
         return _fewest(looks, self._size) | _fewest(looks, self._holding)
@@ -193,7 +193,7 @@ class FormReader:
 
 
 def _fewest(looks: Iterable[_Look], count: Callable[[_Look], int]) -> set[_Look]:
-    """The ENOUGH of which a count is smallest, and those with the same count."""
+    """The ENOUGH of which a count is smallest, and all with an equal count."""
     counts = {look: count(look) for look in looks}
     most = sorted(counts.values())[ENOUGH - 1]
     return {look for look, each in counts.items() if each <= most}

@@ -1,4 +1,4 @@
-"""Equations beyond those of the mixed forms: seen from the tool, and of the shoulder.
+"""Equations beyond the mixed forms: seen from the tool, and of the shoulder.
 
 Column 4 of inverted mixed forms looks from the tool back to the base,
 (A_{k+1} ... A_n) U_0^-1 (A_1 ... A_m) = (A_{m+1} ... A_k)^-1. Rotations hold nothing new, but this
@@ -41,7 +41,7 @@ def inverted_column(pool: Pool, m: int, k: int) -> tuple[Vector, Vector]:
 
 
 def with_inverse_forms(pool: Pool) -> Pool:
-    """The pool and the inverted forms; the same pool where the task does not give a whole pose."""
+    """The pool and the inverted forms; the pool alone where the task does not give a whole pose."""
     problem = pool.problem
     names = {s.name for s in problem.algebra.ring.symbols[: len(POSE_NAMES)]}
     used = {name for name in names if _holds(problem, name)}

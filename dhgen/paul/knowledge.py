@@ -50,7 +50,7 @@ class Runs:
         return AngleSum(terms), facing if start[1] < end[1] else -facing
 
     def cosine_sine(self, start: Cut, end: Cut) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of the turn from one cut to another of the same run."""
+        """Cosine and sine of the turn from one cut to another of one run."""
         if start == end:
             return self.algebra.ring.one, self.algebra.ring.zero
         angle, sign = self.between(start, end)
@@ -102,7 +102,7 @@ class Knowledge:
         return self.component(start) == self.component(end)
 
     def with_angle(self, angle: AngleSum) -> Knowledge:
-        """The same and an angle sum."""
+        """What is known, and an angle sum."""
         (run, start), (_, end), _ = self.runs.ends(angle)
         row = self.components[run]
         low, high = sorted((row[start], row[end]))
@@ -112,7 +112,7 @@ class Knowledge:
         )
 
     def with_slide(self, joint: int) -> Knowledge:
-        """The same and the length of a prismatic joint."""
+        """What is known, and the length of a prismatic joint."""
         return replace(self, slides=self.slides | {joint})
 
     @property
@@ -160,7 +160,7 @@ class Knowledge:
         return self.component(start) == self.component(low)
 
     def rewritten(self, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
-        """Cosine and sine of an unknown angle sum by those of its representative."""
+        """Cosine and sine of an unknown angle sum by its representative's."""
         shortest = self.representative(angle)
         algebra = self.runs.algebra
         cosine, sine = algebra.generator(shortest.cosine), algebra.generator(shortest.sine)

@@ -92,7 +92,7 @@ def open_from_the_start(chain: Chain, spare: Surplus) -> tuple[Chain, Surplus]:
 
 
 def still_coordinates(chain: Chain) -> tuple[str, ...]:
-    """Those of x, y, z that the task names and no joint moves, if others of them move."""
+    """The coordinates x, y, z that the task names and no joint moves, if others of them move."""
     listed = chain.task.kind in {TaskKind.LIST, TaskKind.POSITION}
     named = ["xyz"[row] for row in chain.task.position_rows] if listed else []
     moves = moving_coordinates(chain)
@@ -101,7 +101,7 @@ def still_coordinates(chain: Chain) -> tuple[str, ...]:
 
 
 def moving_coordinates(chain: Chain) -> tuple[str, ...]:
-    """Those of the tool's x, y, z that some joint moves."""
+    """The coordinates x, y, z of the tool that some joint moves."""
     q = np.random.default_rng(3).uniform(-2.0, 2.0, (POSITIONS, chain.dof)) * units(chain)
     rates = numeric_arm(chain).jacobian(q)[..., :3, :] * units(chain)
     most = np.abs(rates).max(axis=(0, 2))
@@ -128,7 +128,7 @@ def _pitch_is_a_sum(chain: Chain) -> bool:
 
 
 def determining_tasks(chain: Chain) -> dict[str, Task]:
-    """Other tasks that fix every joint, as the file writes them; first those that ask for least."""
+    """Other tasks that fix every joint, as the file writes them; the least demanding first."""
     return {
         task.text: task
         for task in _tasks(chain)
@@ -139,7 +139,7 @@ def determining_tasks(chain: Chain) -> dict[str, Task]:
 
 
 def tasks_of_what_moves(chain: Chain, spare: Surplus) -> list[Task]:
-    """Tasks of an arm with spare joints that ask for all that its joints can choose, no more."""
+    """Tasks of an arm with spare joints that need all that its joints can choose, no more."""
     return [
         task
         for task in _tasks(chain)
@@ -149,7 +149,7 @@ def tasks_of_what_moves(chain: Chain, spare: Surplus) -> list[Task]:
 
 
 def _tasks(chain: Chain) -> list[Task]:
-    """Tasks that make sense for an arm, first those that ask for least."""
+    """Tasks that make sense for an arm, the least demanding first."""
     moving = moving_coordinates(chain)
     tasks = [Task(kind) for kind in PLAIN_TASKS]
     if len(moving) < 3:

@@ -23,7 +23,7 @@ FEW = 64  # monomials that there is room for at first
 
 
 class Samples:
-    """Values of every generator; no monomial is worked out twice, nor the same polynomial.
+    """Values of every generator; no monomial, nor polynomial, is computed twice.
 
     Polynomials are known by their identity, as what makes a number of them, their hash, takes
     longer than most questions.
@@ -56,7 +56,7 @@ class Samples:
         return found
 
     def numbers(self, polynomial: Polynomial) -> tuple[Numbers, Numbers]:
-        """The same as plain numbers, with which Python is faster where places are few."""
+        """The values as plain numbers, with which Python is faster where places are few."""
         found = self._numbers.get(id(polynomial))
         if found is None:
             value, size = self.value_and_size(polynomial)

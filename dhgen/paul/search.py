@@ -111,7 +111,7 @@ class Search:
         return knowledge, tuple(steps)
 
     def _cheapest(self, knowledge: Knowledge) -> list[tuple[int, Step]]:
-        """Of the steps to each next state the first of those that cost least, with its price."""
+        """Of the steps to each next state the first of the cheapest, with its price."""
         found: dict[tuple[Unknown, ...], tuple[int, int, Step]] = {}
         for place, step in enumerate(self.offers(knowledge)):
             price = step.penalty + DOUBLING * (step.roots - 1)
@@ -147,7 +147,7 @@ class Search:
     def _steps(
         self, group: tuple[Form, ...], types: tuple[EquationType, ...], view: View
     ) -> tuple[Step, ...]:
-        """What equations give; the same forms at another state give the same."""
+        """The steps that equations give; equal forms at another state give equal steps."""
         key = tuple(map(id, group))
         found = self._steps_of.get(key)
         if found is None:
@@ -166,7 +166,7 @@ class Search:
         return View(knowledge, self._witnesses)
 
     def groups(self, forms: list[Form]) -> list[tuple[tuple[Form, ...], tuple[EquationType, ...]]]:
-        """Forms with one unknown, and pairs with the same unknowns, and the types tried on each.
+        """Forms with one unknown, and pairs with equal unknowns, and the types tried on each.
 
         Args:
             forms: In the pool's order.
@@ -218,7 +218,7 @@ def _lines(equations: tuple[Equation, ...]) -> dict[int, int]:
 
 
 def without_needless_degeneracy(steps: list[Step], view: View) -> list[Step]:
-    """The steps without X s + Y c = Z whose X and Y may vanish where those of others are constant.
+    """The steps without X s + Y c = Z whose X and Y may vanish where others' are constant.
 
     That is so where X or Y is zero in both, and where the equation is a multiple of the constant
     one, be it for another angle.

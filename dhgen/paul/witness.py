@@ -141,7 +141,7 @@ def is_rounding(value: float, size: float) -> bool:
 
 
 def build_witnesses(pool: Pool) -> Witnesses:
-    """Random configurations of an arm; the same ones at every run."""
+    """Random configurations of an arm; equal at every run."""
     algebra = pool.problem.algebra
     source = random.Random(20)  # noqa: S311 - configurations, not secrets
     values = np.zeros((len(algebra.ring.gens), COUNT))

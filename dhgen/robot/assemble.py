@@ -47,7 +47,7 @@ class Assembly:
         report: Where mistakes and notices go.
         shape: Which sections have the shape that they should have.
         cells: Reads cells.
-        at: Where the table stands: of a leg at its place in the list of legs.
+        at: The place of the table: of a leg its place in the list of legs.
     """
 
     def __init__(self, report: Report, shape: Shape, cells: Cells, at: Path = ()) -> None:
@@ -163,7 +163,7 @@ class Assembly:
         return DhTable(Convention(file.convention if file else "standard"), tuple(rows))
 
     def _check_drives(self, rows: Sequence[DhRow], numbers: tuple[int, ...]) -> None:
-        """What rows hold of each other's variables; of rows with other mistakes nothing is said."""
+        """Checks other rows' variables in rows; rows with other mistakes are left out."""
         table = (*self.at, "joints")
         right = check_couplings(self.cells, table, rows, numbers)
         if right and numbers == tuple(n for n, row in enumerate(rows, start=1) if row.sign):
@@ -171,7 +171,7 @@ class Assembly:
                 check_passive(self.cells, (*table, place), rows[place])
 
     def _numbers(self) -> dict[int, int]:
-        """The joints' numbers by those of their rows, of which passive ones have no q."""
+        """The joints' numbers by their rows' numbers; passive rows have no q."""
         rows = self._count("joints")
         passive = [
             number
@@ -187,7 +187,7 @@ class Assembly:
         rows = joints_of(geometry)
         kinds, numbers = [row.kind for row in rows], self._numbers()
         if len(kinds) < len(numbers):
-            return ()  # a row that could not be read is told already
+            return ()  # a row that could not be read is reported already
         found: list[SumLimit] = []
         for path in [("limits", i) for i in range(self._count("limits"))]:
             entry = self.shape.section(path, SumEntry)

@@ -135,7 +135,7 @@ class ManyTurns:
 
     Attributes:
         path: Where it is.
-        message: What there is to say of it alone.
+        message: The message about it alone.
         value: Its value [rad].
     """
 
@@ -150,7 +150,7 @@ class ManyTurns:
 
 
 def note_turns(report: Report, turned: Sequence[ManyTurns], *, in_radians: bool) -> None:
-    """Reports angles of many turns; several are a mistake, unless the file says that it means rad.
+    """Reports angles of many turns; several are a mistake, unless the file asks for rad.
 
     Args:
         report: Where mistakes and notices go.
@@ -164,7 +164,7 @@ def note_turns(report: Report, turned: Sequence[ManyTurns], *, in_radians: bool)
         units = "`units: {angle: deg}` if degrees are meant, `units: {angle: rad}` if not"
         report.error(path, f"{head}: write {units}")
         return
-    joints: set[Path] = set()  # of whose ends one is told: they are mended together
+    joints: set[Path] = set()  # of whose ends one is reported: they are mended together
     for each in turned:
         limits = each.path[:-1]
         if limits not in joints:
@@ -192,7 +192,7 @@ def note_tiny_limits(report: Report, limits: Sequence[PlainLimit]) -> None:
     """Reports an arm in degrees of which no joint can turn further than radians go.
 
     Twists in degrees beside limits in radians are not rare: these come from a URDF or a data sheet.
-    One joint may be so narrow, and ends that hold pi or deg are what they say.
+    One joint may be so narrow, and ends that hold pi or deg are as meant.
     """
     joints = {limit.path[:-1] for limit in limits}
     if len(joints) < 2 or not all(abs(limit.degrees) <= FURTHEST for limit in limits):

@@ -154,7 +154,7 @@ class Cells:
         return self._notice_unit(path, quoted(text.strip()), notice, angle)
 
     def _notice_unit(self, path: Path, what: str, notice: str, angle: Expression) -> bool:
-        """Reports an angle that looks like the other unit; many turns with those of other cells.
+        """Reports an angle that looks like the other unit; many turns together with other cells'.
 
         Returns:
             Whether it is reported at once.
@@ -230,7 +230,7 @@ class Cells:
         return expression if exact is None else self._snapped(path, text, value, exact)
 
     def exact_ratios(self, expressions: Iterable[Expression]) -> tuple[Expression, ...]:
-        """Computed entries of a rotation, with those exact that are so but for rounding."""
+        """Computed entries of a rotation, made exact where they are so but for rounding."""
         return tuple(_exact_ratio(e, self.value(e)) or e for e in expressions)
 
     def _unit(self, text: str) -> Literal["pi", "deg", ""]:

@@ -20,7 +20,7 @@ LARGEST_WHOLE = 10**6  # of a ratio: gears have fewer teeth
 
 
 def numbers_of(rows: Sequence[int]) -> dict[int, int]:
-    """The joints' numbers by those of their rows, as cells have them: passive rows are no joints.
+    """The joints' numbers by their rows' numbers, as cells have them: passive rows are no joints.
 
     Args:
         rows: The numbers, from 1, of all rows with a variable of their own.
@@ -57,7 +57,7 @@ def check_couplings(
 
     Args:
         cells: Reports.
-        table: Where the table stands.
+        table: The place of the table.
         rows: The table.
         numbers: The numbers, from 1, of all rows with a variable of their own.
 
@@ -110,7 +110,7 @@ def is_ratio(cells: Cells, factor: Expression) -> bool:
 
 
 def _circle(couplings: Mapping[int, Sequence[Coupling]]) -> list[int]:
-    """Joints each of which is moved by the drive of the next, and the last by that of the first."""
+    """Joints each of which is moved by the drive of the next, and the last by the first one's."""
     done: set[int] = set()
     for first in couplings:
         way, pending = [first], [iter(couplings[first])]

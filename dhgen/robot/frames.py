@@ -211,7 +211,7 @@ def _from_matrix(cells: Cells, path: Path, entry: list[list[str]]) -> Frame:
     deviation = _check_rotation(cells, path, rows)
     off = _deviation(_rows([cells.value(cell) for cell in given]))
     if deviation > max(off, 4 * ROUNDING) and off <= _EXACT:
-        # the cosine of a small angle is nearer to 1 than its sine to 0: a rotation stays as given
+        # the cosine of a small angle is nearer to 1 than its sine to 0: a rotation is left as given
         del cells.snapped[snapped[0] :], cells.taken[snapped[1] :]
         return Frame((x, y, z), given)
     if deviation > _EXACT:
@@ -231,7 +231,7 @@ def _exact_rotation(cells: Cells, given: tuple[Expression, ...]) -> tuple[Expres
 def _is_as_orthonormal(
     cells: Cells, exact: Sequence[Expression], given: Sequence[Expression]
 ) -> bool:
-    """Whether exact entries are a rotation as much as those given are.
+    """Whether exact entries are a rotation as much as the given ones are.
 
     The cosine of a small angle is nearer to 1 than its sine to 0: one taken as exact without the
     other leaves a matrix that is no rotation.

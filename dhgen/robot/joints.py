@@ -88,7 +88,7 @@ def _look_at_units(
 ) -> None:
     ways = [(*path, i) for i in range(len(ends))]
     if kind is JointKind.REVOLUTE:
-        # Of both ends one is told: they are mended together. Of many turns both are counted.
+        # Of both ends one is reported: they are mended together. Of many turns both are counted.
         any(map(cells.note_unit, ways, entry, ends))
         if cells.units.degrees and not any(map(cells.units.speaks_of_pi, ends)):
             numbers = zip(ways, entry, map(cells.value, ends), strict=True)
@@ -220,7 +220,7 @@ def _split(cells: Cells, path: Path, text: str, numbers: Mapping[int, int], row:
 
 
 def _no_other(text: str, numbers: Mapping[int, int], row: int) -> tuple[str, Span] | None:
-    """The mistake of a cell that calls its own variable, or that of a passive row, by a number."""
+    """The mistake of a cell that calls its own variable, or a passive row's, by a number."""
     for found in _NUMBERED.finditer(text):
         number, part = int(found[1]), Span(found.start(), len(found[0]))
         if number == row:

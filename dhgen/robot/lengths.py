@@ -54,8 +54,8 @@ def note_spread(report: Report, lengths: Iterable[Length], unit: str) -> None:
 
     Args:
         report: Where notices and doubts go.
-        lengths: Those of the file.
-        unit: What the file says that they are in.
+        lengths: The file's lengths.
+        unit: The file's unit of length.
     """
     arm = [each for each in lengths if each.value > SNAP and each.path[0] != "base"]
     links = [each for each in arm if "limits" not in each.path]
@@ -89,7 +89,7 @@ def _farthest(arm: list[Length]) -> list[Length]:
 def _note_gap(report: Report, lengths: list[Length], unit: str) -> bool:
     """Whether lengths are of two sizes, as in two units; there is a notice then.
 
-    It stands at the one that no arm has: too long in metres, too short in what is smaller.
+    It points to the length that no arm has: too long in metres, too short in what is smaller.
     """
     by_value = sorted(lengths, key=_value)
     below, above = max(pairwise(by_value), key=_ratio, default=(by_value[0],) * 2)

@@ -92,7 +92,7 @@ def source_of(text: str, file_name: str) -> SourceText:
 
 
 def load_source(source: SourceText) -> Robot:
-    """Read a robot file's text that knows how its places are called.
+    """Read a robot file from a text with the names of its places.
 
     Raises:
         RobotFileError: The text describes no robot: all its mistakes at once.

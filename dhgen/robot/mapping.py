@@ -158,7 +158,7 @@ def _plain(value: object) -> object:
 
 
 def _is_endless(key: object, value: object) -> bool:
-    """Whether a joint's limits are both infinite, as `joint_limits` gives those that are none."""
+    """Whether a joint's limits are both infinite, as `joint_limits` gives missing ones."""
     ends = _plain(value)
     return key == "limits" and ends in ([-math.inf, math.inf], (-math.inf, math.inf))
 

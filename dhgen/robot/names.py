@@ -17,7 +17,7 @@ JOINT_NAME = r"[A-Za-z0-9_/][A-Za-z0-9_/:. +-]*"  # what URDF and MJCF files hol
 YAML_WORDS = frozenset({"null", "true", "false", "yes", "no", "on", "off", "y", "n"})
 RESERVED = ("q", "pi", "deg", "sqrt", "sin", "cos")
 
-# What stands beside every robot, and what its files include: dhgen_runtime/, dhgen_ik, DHGEN_OK.
+# What lies beside every robot, and what its files include: dhgen_runtime/, dhgen_ik, DHGEN_OK.
 _OWN = re.compile(r"dhgen(_|$)", re.IGNORECASE)
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*", re.ASCII)
 # What the generator itself writes: c1 s23 q4 theta2 t06, and the field's matrices.
@@ -108,7 +108,7 @@ logb lrint lround modf nan nearbyint nextafter nexttoward pow remainder remquo r
 scalbln scalbn sin sinh sqrt tan tanh tgamma trunc
 """
 
-# Of the other headers, and what compilers know without a header.
+# Of the other headers, and what compilers define without a header.
 _LIBRARY = """
 abort abs assert atexit atof atoi atol atoll bsearch calloc clock div DOMAIN double_t EOF errno
 exit fclose feof ferror fflush fgetc fgets float_t fopen fpclassify fprintf fputc fputs fread

@@ -56,7 +56,7 @@ def is_passive(row: object, number: int, count: int) -> bool:
 
 
 def followed(row: DhRow, driven: Sequence[DhRow]) -> Followed:
-    """The angle or length of a passive row, by those of joints.
+    """The angle or length of a passive row, by the joints' angles and lengths.
 
     The values of the drives are replaced, one after another, by what they are of the angles and
     lengths: a drive that moves no other joint of those that are left comes first.
@@ -121,7 +121,7 @@ def check_passive(cells: Cells, path: Path, row: DhRow) -> None:
 
 
 def why_apart(place: int, rows: Sequence[DhRow]) -> str:
-    """What makes the equations of a passive row others than those of joints; empty if nothing does.
+    """What makes a passive row's equations unlike the joints'; empty if nothing does.
 
     Args:
         place: Which row it is, from zero.

@@ -65,7 +65,7 @@ class Report:
         self._errors.append(self._point(value if key is None else key, message, None))
 
     def notice(self, path: Path, message: str) -> None:
-        """Adds a notice; the file is used all the same."""
+        """Adds a notice; the file is used nevertheless."""
         self._notices.append((path, self._point(self.document.find(path)[1], message, None)))
 
     def doubt(self, path: Path, message: str) -> None:

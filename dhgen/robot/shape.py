@@ -183,7 +183,7 @@ _OTHER_TABLES = {
 
 
 class Shape:
-    """Which sections of a file have the shape that the schema asks for.
+    """Which sections of a file have the shape that the schema needs.
 
     A section with a mistake doesn't hide the mistakes of the others: each is read by itself.
     """

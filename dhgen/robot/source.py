@@ -38,7 +38,7 @@ class SourceText:
 
     @classmethod
     def of(cls, text: str, file: str) -> SourceText:
-        """Split a text into its lines, at the line ends that YAML knows."""
+        """Split a text into its lines, at YAML's line ends."""
         ends = list(_LINE_END.finditer(text))
         starts = (0, *(end.end() for end in ends))
         stops = (*(end.start() for end in ends), len(text))

@@ -1,4 +1,4 @@
-"""Limits of sums of joints' variables, which stand beside the joints."""
+"""Limits of sums of joints' variables, listed beside the joints."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def check_once(
     Args:
         cells: Reports.
         path: The place of the entry.
-        limit: What it says.
+        limit: Its contents.
         others: The sums before it, and the limits in the joints' rows.
     """
     sums, rows = others

@@ -18,7 +18,7 @@ class TaskKind(Enum):
 
 
 class Directions(Enum):
-    """What counts of a rotation R = Rz(yaw) Ry(pitch) Rx(roll); the runtime has the same names."""
+    """What counts of a rotation R = Rz(yaw) Ry(pitch) Rx(roll); the runtime has equal names."""
 
     NONE = "none"
     POINTING = "pointing"  # its third column: the tool's z axis

@@ -138,7 +138,7 @@ class SaidUnits:
             self._in_degrees.add(name)
 
     def radians(self, expression: Expression) -> Expression:
-        """A cell's angle in radians: in a file of degrees only what speaks of pi is so already."""
+        """A cell's angle in radians: in a file of degrees only what holds pi is so already."""
         if not self.degrees or expression == ZERO or self.speaks_of_pi(expression):
             return expression
         return Binary("*", expression, DEGREE)
@@ -193,7 +193,7 @@ class SaidUnits:
         return f"{text}: write {degrees_text(number)} if degrees are meant"
 
     def _plain_addend(self, expression: Expression) -> Expression | None:
-        """The first number but zero that is added to what speaks of pi, and does not itself."""
+        """The first number but zero that is added to what holds pi, and does not itself."""
         if not isinstance(expression, Binary) or not self.speaks_of_pi(expression):
             return None
         sides = (expression.left, expression.right)
@@ -214,7 +214,7 @@ class SaidUnits:
         ]
 
     def _is_plain(self, argument: Expression) -> bool:
-        """Whether a number does not speak of pi, and so may be meant as degrees."""
+        """Whether a number does not hold pi, and so may be meant as degrees."""
         if self.speaks_of_pi(argument) or contains_variable(argument):
             return False
         value = self._value(argument)

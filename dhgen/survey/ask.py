@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 SAME = 1e-5  # [rad or arm sizes] a row and a solution of the oracle's
 TWICE = 1e-7  # the same of two rows: nearer than this they are one
 RECOVERED = 1e-3  # the same of a singular solution: it is known to a root of rounding only
-SHOWN = 3  # faults of one kind that are told
+SHOWN = 3  # faults of one kind that are printed
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class Tally:
             rows: The joint values of its rows.
             start: Joint values at which the oracle's search begins, among others.
             number: Of the pose, by which the search draws.
-            where: How faults say which pose it is.
+            where: The name of the pose in faults.
         """
         residuals = trial.residuals(rows, T)
         self._residual = max(self._residual, float(residuals.max(initial=0.0)))
@@ -158,7 +158,7 @@ def missed(trial: Trial, solutions: FloatArray, rows: FloatArray, near: float) -
 
 
 def distinct(trial: Trial, rows: FloatArray) -> FloatArray:
-    """Rows without those that repeat another."""
+    """Rows without repetitions."""
     kept: list[int] = []
     for i, row in enumerate(rows):
         if not among(trial, row, rows[kept], TWICE):

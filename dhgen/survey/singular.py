@@ -31,7 +31,7 @@ STEP, CORRECTIONS = 1e-2, 20
 
 
 def singular_sets(robot: Robot, count: int, *, seed: int = 0) -> dict[str, FloatArray]:
-    """Joint values (at most `count`, n) of every kind, by the kind's name; the same every time."""
+    """Joint values (at most `count`, n) of every kind, by the kind's name; equal every time."""
     random = np.random.default_rng(seed)
     right = right_angles(robot, count, seed=seed)
     mixed = random_joints(robot, count, seed=seed + 1)
@@ -67,12 +67,12 @@ def is_redundant(robot: Robot) -> bool:
 def in_a_family(robot: Robot, q: FloatArray) -> bool:
     """Whether the arm can move and keep its pose: joint values (n,) that are not a double root.
 
-    A step where the Jacobian sees no motion is taken, and corrected by Newton's method: from
-    beside a double root that leads back, along a family it leads to another member.
+    A step where the Jacobian sees no motion is taken, and corrected by Newton's method: near a
+    double root that returns to it, along a family it reaches another member.
     """
     problem = state(robot, forward(robot, q), tuple(given_values(robot, q)))
     start = problem.numbers_of(q)[None]
-    if problem.elbow is not None:  # where it is, which a stretched arm's arm angle says coarsely
+    if problem.elbow is not None:  # where it is, which a stretched arm's arm angle gives coarsely
         upper, _ = problem.elbow
         place = forward(upper, start[0, : len(upper.before)])[:3, 3]
         problem = replace(problem, elbow=(upper, place))
@@ -105,7 +105,7 @@ def _singular_along(
 
 
 def task_jacobian(model: Arm, robot: Robot, q: FloatArray) -> FloatArray:
-    """What the task says of the tool's velocity, (..., m, joints that are not free).
+    """The Jacobian of what the task names, (..., m, joints that are not free).
 
     Where an arm angle is given, also how fast the elbow leaves the plane of the arm.
     """

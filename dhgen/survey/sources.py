@@ -53,7 +53,7 @@ class Source:
         return ": ".join(filter(None, [self.place, keys, remark.message, shown]))
 
     def _keys(self, line: int) -> list[str]:
-        """The keys that a line of the file stands below, but for those that no list has."""
+        """The keys that a line of the file is below, except keys that no list has."""
         keys: list[str] = []
         lines = self.path.read_text(encoding="utf-8").splitlines()[:line]
         depth = len(lines[-1]) - len(lines[-1].lstrip()) if lines else 0
@@ -74,7 +74,7 @@ def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:
         folder: An empty one, where tables of lists become robot files.
 
     Raises:
-        RobotFileError: A path leads nowhere, a list is none, or nothing is there.
+        RobotFileError: A path does not exist, a list is none, or nothing is there.
     """
     found: list[Source] = []
     mistakes: list[Diagnostic] = []
@@ -150,7 +150,7 @@ def _tables(path: Path) -> list[dict[str, Any]]:
 
 
 def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object; ValueError where a key stands twice."""
+    """An object; ValueError where a key occurs twice."""
     made = dict(pairs)
     for key, _ in pairs:
         if sum(key == other for other, _ in pairs) > 1:

@@ -52,8 +52,8 @@ def survey(
         progress: Called with every arm that is done, and for a single one with what is being done.
 
     Raises:
-        RobotFileError: A path leads nowhere, or a list can't be read. Mistakes in single robot
-            files stand in their lines.
+        RobotFileError: A path does not exist, or a list can't be read. Mistakes in single robot
+        files are in their lines.
     """
     lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:
@@ -70,7 +70,7 @@ def survey(
 def survey_arm(
     source: Source, poses: int, recall: int = 0, progress: Callable[[str], None] = lambda _: None
 ) -> Line:
-    """One arm's line; the same at every run but for the CPU time."""
+    """One arm's line; equal at every run but for the CPU time."""
     name, joints, structure = source.name, "", ""
     remarks: tuple[str, ...] = ()
     try:
@@ -100,7 +100,7 @@ def survey_arm(
 def _parallel_line(
     file: ParallelFile, source: Source, poses: int, recall: int, progress: Callable[[str], None]
 ) -> Line:
-    """The line of a parallel robot; joints are those of its legs, each once."""
+    """The line of a parallel robot; its legs' joints count, each leg's once."""
     robot = file.robot
     remarks = tuple(f"note: {source.located(notice)}" for notice in robot.notices)
     chains = [build_chain(leg.chain) for leg in robot.legs]
@@ -115,7 +115,7 @@ def _parallel_line(
 
 
 def _alone(line: Line, others: Sequence[Line]) -> Line:
-    """A name says which arm is meant: the second of that name has no line of its own."""
+    """A name identifies an arm: the second of that name has no line of its own."""
     if all(line.name != other.name for other in others):
         return line
     reason = f"another arm above has the same name, '{line.name}'"

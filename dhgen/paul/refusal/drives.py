@@ -37,7 +37,7 @@ def demand_given_alone(chain: Chain) -> None:
 
 
 def demand_sums(chain: Chain) -> None:
-    """Refuses passive rows whose angles and lengths are no sums of those of joints before them.
+    """Refuses passive rows whose angles and lengths are no sums of earlier joints'.
 
     Raises:
         UnsolvedError: There is one.
@@ -51,8 +51,8 @@ def demand_sums(chain: Chain) -> None:
 def demand_whole_turns(chain: Chain) -> None:
     """Refuses given joints and passive rows that are elsewhere after whole turns of other joints.
 
-    Least squares tell solutions without turns: of what is solved for, drives that hang together
-    are turned together.
+    Least squares distinguish solutions without turns: of what is solved for, drives that are
+    coupled are turned together.
 
     Raises:
         UnsolvedError: There is one.
@@ -79,7 +79,7 @@ def _given_apart(chain: Chain, moves: FloatArray) -> int:
 
     Args:
         chain: The arm.
-        moves: By how much the turn moves every drive: those that are given stay.
+        moves: By how much the turn moves every drive: given ones must not move.
     """
     for number in chain.free:
         joint = chain.joints[number - 1]

@@ -1,4 +1,4 @@
-"""Why no order of equations solves an arm: how far it went, what stood in the way."""
+"""Why no order of equations solves an arm: how far it went, what was in the way."""
 
 from __future__ import annotations
 

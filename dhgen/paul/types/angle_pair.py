@@ -133,7 +133,7 @@ def _conditioning(factors: _Factors, view: View) -> int:
 
 
 def _are_nearly_parallel(rows: Sequence[tuple[Polynomial, Polynomial]], view: View) -> bool:
-    """Whether (X1, Y1) and (X2, Y2) have nearly the same direction, with the arm's own lengths."""
+    """Whether (X1, Y1) and (X2, Y2) are nearly parallel, with the arm's own lengths."""
     entries = [entry for row in rows for entry in row]
     x1, y1, x2, y2 = (view.witnesses.evaluate(entry)[OWN_LENGTHS] for entry in entries)
     sines = (x1 * y2 - x2 * y1) / (np.hypot(x1, y1) * np.hypot(x2, y2))

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 BY_DIFFERENCE = 100
 BY_ELIMINATION = 240
 VARIABLE_FACTORS = 60
-NOT_A_SUM = 10  # type 8 has two links, the shape that every reader knows
+NOT_A_SUM = 10  # type 8 has two links, the usual shape
 
 
 class TwoAngles:
@@ -82,7 +82,7 @@ class _Vectors:
     known: tuple[Polynomial, Polynomial]
 
     def swapped(self) -> _Vectors:
-        """The same with w first."""
+        """The pair with w first."""
         return _Vectors(self.forms, self.w, self.v, self.known)
 
     @property

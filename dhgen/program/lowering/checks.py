@@ -48,10 +48,10 @@ class Checks:
         rows: Every row is compared with the pose.
         moved: They are in the frame from where that takes the fewest operations, not in the base.
         again: A row that fails this may pass by another value of a free joint.
-        tightened: A row that is not exact takes some steps of damped least squares. led: Rows that
-            miss the pose by more than is promised take such steps, where rows are neither compared
-            nor tightened. One of a branch that follows an earlier root may be a little out of
-            reach.
+        tightened: A row that is not exact takes some steps of damped least squares.
+        led: Rows that miss the pose by more than is promised take such steps, where rows are
+            neither compared nor tightened. One of a branch that follows an earlier root may be a
+            little out of reach.
     """
 
     rows: bool
