@@ -76,7 +76,7 @@ def derivation_document(story: Story, source: str) -> str:
 
 
 def derivation_terminal(story: Story, language: Language = ENGLISH) -> str:
-    """The same as plain text, without figures."""
+    """The derivation as plain text, without figures."""
     first, *others = map(plain, map(language.block, document_blocks(story)))
     return render("derivation/terminal.txt.jinja", first=first, others=others)
 

@@ -1,9 +1,9 @@
 """Solutions that an arm can take one after the other without meeting a singular place between.
 
-Where det J vanishes two solutions meet, so one might think that a change between two leads
-through such a place. Of cuspidal arms (P. Wenger) it does not. Where three turning joints place a
-point, det J depends on joints 2 and 3 alone, and two solutions are joined if they lie in one region
-of these two angles.
+Where det J vanishes two solutions meet, so one might think that a change between two passes through
+such a place. Of cuspidal arms (P. Wenger) it does not. Where three turning joints place a point,
+det J depends on joints 2 and 3 alone, and two solutions are joined if they lie in one region of
+these two angles.
 """
 
 from __future__ import annotations

@@ -37,7 +37,7 @@ class Example:
     """A pose with all its rows.
 
     Attributes:
-        q: Joint values that lead to it, (n,).
+        q: Joint values at the pose, (n,).
         T: The pose, (4, 4).
         given: What the caller gives besides it, (k,).
         rows: Joint values by row, (B, n), NaN where there is no solution.

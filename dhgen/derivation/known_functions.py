@@ -81,7 +81,7 @@ def _gives(block: Block, angle: AngleSum) -> bool:
 
 
 def _used(context: StepContext, angle: AngleSum) -> bool:
-    """Whether a later step holds them, or those of a sum that the angle is part of."""
+    """Whether a later step holds cosine or sine, or a sum's that the angle is part of."""
     story = context.story
     algebra = story.algebra
     later = story.steps[context.number :]

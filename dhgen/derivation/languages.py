@@ -30,7 +30,7 @@ class Language(Protocol):
 
     @property
     def untranslated(self) -> Sequence[str]:
-        """The sentences that stayed English, each once, with an ellipsis for every formula."""
+        """The sentences without a translation, each once, with an ellipsis for every formula."""
         ...
 
 

@@ -39,7 +39,7 @@ class SingularExample:
     Attributes:
         place: The condition that is met.
         joint: Which joint was moved there, from 1.
-        q: Joint values that lead to it, (n,).
+        q: Joint values at the pose, (n,).
         T: The pose, (4, 4).
         given: What the caller gives besides it, (k,).
         rows: Joint values by row with a seed of zeros, (B, n), NaN where there is no solution.
@@ -120,5 +120,5 @@ def _is_met(story: Story, q: FloatArray, condition: Relation) -> bool:
     size = max(1.0, story.algebra.chain.size)
     try:
         return all(abs(value_of(side, letters)) <= NOTHING * size for side in sides)
-    except KeyError:  # it is not said by the joints alone
+    except KeyError:  # the joints alone do not determine it
         return False

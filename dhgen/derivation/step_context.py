@@ -135,7 +135,7 @@ class StepContext:
         return self.story.algebra.normal(x1 * y2 - x2 * y1)
 
     def value(self, name: str) -> Formula:
-        """The same as a formula, with the letters that earlier steps gave to forms."""
+        """The value as a formula, with the letters that earlier steps gave to forms."""
         return self.story.write(self.polynomial(name), self.number)
 
     def in_full(self, polynomial: Polynomial) -> Formula:

@@ -150,7 +150,7 @@ class Story:
         return self.written_with(polynomial, {**self._entries_before(step), **forms})
 
     def write_quoted(self, polynomial: Polynomial, step: int) -> Formula:
-        """The same as it stands in the matrices: of letters only those of their entries."""
+        """The form as it is in the matrices: its only letters are the entries' letters."""
         return self.written_with(polynomial, self._entries_before(step))
 
     def written_with(self, polynomial: Polynomial, known: Mapping[Polynomial, Formula]) -> Formula:

@@ -102,7 +102,7 @@ def _nearest(story: Story) -> list[str]:
 
 
 def task_remarks(chain: Chain) -> list[str]:
-    """That a task asks for more than the arm can choose, and one that asks for as much."""
+    """That a task needs more than the arm can choose, and one that needs as much."""
     if not chain.overdetermined:
         return []
     tasks = determining_tasks(chain).items()

@@ -125,7 +125,7 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
 
 
 def letters_of_joints(story: Story, q: Sequence[float]) -> dict[str, float]:
-    """The same without those that a pose gives."""
+    """The letters of joints without letters that a pose gives."""
     known, letters = _of_joints(story, q)
     return letters | {story.letters[name].text: value for name, value in known.items()}
 

@@ -34,15 +34,15 @@ class WholeExample:
     """A pose with its solutions.
 
     Attributes:
-        q: Joint values that lead to it, (n,).
+        q: Joint values at the pose, (n,).
         T: The pose, (4, 4).
         given: What the caller gives besides it, (k,).
         rows: Joint values of the solutions, (k, n).
         inside: Which of them keep the limits, (k,).
         loop: The angles and lengths of the loop's joints in the followed row, (6,).
         followed: The row that is worked through.
-        coefficients: a_0 ... a_8, b_1 ... b_8 of the polynomial in the joint's angle, or in that
-            which stands for its length, over the largest, (17,).
+        coefficients: a_0 ... a_8, b_1 ... b_8 of the polynomial in the joint's angle, or in the
+        angle that represents its length, over the largest, (17,).
         roots: Its real roots, ascending in (-pi, pi].
         taken: Place of the root from which the row comes.
     """
@@ -60,7 +60,7 @@ class WholeExample:
 
 
 def find_whole_example(story: Story, kernel: GeneralKernel) -> WholeExample | None:
-    """The pose with the most solutions, of those farthest from singular ones.
+    """The pose with the most solutions, of poses farthest from singular ones.
 
     None where none of them has simple roots alone.
     """
@@ -172,7 +172,7 @@ def _values(kernel: GeneralKernel, roots: FloatArray) -> NDArray[Any]:
 
 
 def _value(kernel: GeneralKernel, loop: FloatArray, sign: float) -> complex:
-    """The same of a solution."""
+    """The value of a solution."""
     value = float(loop[hidden_joint(kernel)])
     if kernel.hides_a_slide:
         return sign * value / kernel.loop.size

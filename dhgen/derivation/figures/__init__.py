@@ -2,7 +2,7 @@
 
 | read      | what is in it                                                          |
 |-----------|------------------------------------------------------------------------|
-| figure    | a drawing with its name and what is said below it                      |
+| figure    | a drawing with its name and its caption                                |
 | sheet     | shapes on paper, their extent, and SVG out of them                     |
 | view      | from where the arm is seen                                             |
 | skeleton  | an arm at joint values as lines, axes and frames in space              |

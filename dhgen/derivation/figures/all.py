@@ -31,7 +31,7 @@ class Figures:
     postures: Figure | None
 
     def __iter__(self) -> Iterator[Figure]:
-        """Those that there are, in the document's order."""
+        """The figures that there are, in the document's order."""
         for each in (self.arm, self.workspace, self.postures):
             if each is not None:
                 yield each

@@ -1,4 +1,4 @@
-"""A drawing with its name and what is said below it."""
+"""A drawing with its name and its caption."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Figure:
     Attributes:
         path: Where it lies, from the document that shows it.
         title: What it shows, in a few words.
-        caption: What a reader has to know of it.
+        caption: The text below it.
         sheet: The shapes.
     """
 

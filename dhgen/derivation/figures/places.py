@@ -30,7 +30,7 @@ class Placed:
     Attributes:
         axis: The joint.
         at: The middle of its body, (3,).
-        held: Whether a member of the arm leads to the body.
+        held: Whether a member of the arm ends at the body.
     """
 
     axis: Axis
@@ -60,13 +60,13 @@ def _turn(axis: Axis, axes: Sequence[Axis], members: Sequence[Member]) -> tuple[
 
 
 def _share(axis: Axis, axes: Sequence[Axis]) -> tuple[bool, bool]:
-    """Whether the joint before and the joint after have the same origin."""
+    """Whether the joint before and the joint after have one origin."""
     near = {other.number: other for other in axes if math.dist(other.origin, axis.origin) < 1.0}
     return axis.number - 1 in near, axis.number + 1 in near
 
 
 def _places(axis: Axis, axes: Sequence[Axis], members: Sequence[Member]) -> Iterable[Placed]:
-    """Where a joint may be, the best first: on what leads along its axis, or beside its origin."""
+    """Where a joint may be, the best first: on a member along its axis, or beside its origin."""
     outgoing = _spans(axis, members, axis.number)
     incoming = _spans(axis, members, axis.number - 1)
     if not outgoing and not incoming:

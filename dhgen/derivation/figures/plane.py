@@ -37,7 +37,7 @@ class Plane:
 
 
 def arm_plane(story: Story, arm: Skeleton) -> Plane:
-    """From above where all axes stand upright, in the arm's plane where the first one does."""
+    """From above where all axes are upright, in the arm's plane where the first one is."""
     axes = [axis for axis in arm.axes if axis.turns]
     if axes and are_parallel([*(axis.z for axis in axes), UP]):
         x, y = np.eye(3)[:2]

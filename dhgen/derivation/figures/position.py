@@ -60,7 +60,7 @@ def _is_folded(arm: Skeleton, size: float) -> bool:
 
 
 def _overlap(one: Member, other: Member) -> float:
-    """How much of two members is at the same place [length]."""
+    """How much of two members is at one place [length]."""
     length = float(np.linalg.norm(one.along))
     direction = one.along / length
     ends = [point - one.start for point in (other.start, other.end)]

@@ -1,4 +1,4 @@
-"""The solutions of the worked example, side by side; those that look alike share a place."""
+"""The solutions of the worked example, side by side; solutions that look alike share a place."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def postures_figure(story: Story) -> Figure | None:
 
 
 def _postures(story: Story, example: Example, arms: Skeletons) -> list[_Posture]:
-    """The rows that have a solution, those of one shape together."""
+    """The rows that have a solution, rows of one shape together."""
     found: list[_Posture] = []
     for row in np.flatnonzero(~np.isnan(example.rows).any(axis=1)):
         arm, name = arms.at(example.rows[row]), _name(story, example, int(row))
@@ -79,7 +79,7 @@ def _postures(story: Story, example: Example, arms: Skeletons) -> list[_Posture]
 
 
 def _are_alike(one: Skeleton, other: Skeleton, size: float) -> bool:
-    """Whether two arms have their members in the same places."""
+    """Whether two arms have their members in equal places."""
     same = one.points.shape == other.points.shape
     return same and bool(np.abs(one.points - other.points).max() < LOOK_ALIKE * size)
 
@@ -90,7 +90,7 @@ def _name(story: Story, example: Example, row: int) -> str:
 
 
 def _sheet(postures: list[_Posture], plane: Plane) -> Sheet:
-    """Every posture in its place, all at one scale and with the base at the same height."""
+    """Every posture in its place, all at one scale and with the base at one height."""
     points = np.array([plane.view.point(p) for each in postures for p in each.arm.points])
     low, high = points.min(axis=0), points.max(axis=0)
     scale = settled(SIDE / max((high - low).max(), 1e-9))

@@ -63,7 +63,7 @@ class Reach:
         at = _point(self.arm, q, self.joint)
         if self.section is Section.ABOVE:
             return at
-        still = np.zeros(self.arm.chain.dof)  # the axis stays where it is
+        still = np.zeros(self.arm.chain.dof)  # the axis does not move
         return np.asarray(at - self.arm.axes(still)[1][self.axis - 1] * (1.0, 1.0, 0.0))
 
     def coordinates(self, q: FloatArray) -> FloatArray:
@@ -138,7 +138,7 @@ def _sections(arm: NumericArm, joint: int) -> Iterable[tuple[Section, int]]:
 
 
 def _is_fixed(arm: NumericArm, q: FloatArray, joint: int) -> bool:
-    """Whether an axis stays on one upright line."""
+    """Whether an axis is always on one upright line."""
     at = arm.axes(q)[1][:, joint - 1, :2]
     return bool(np.abs(at - at[0]).max() < STILL * arm.chain.size)
 

@@ -30,7 +30,7 @@ def settled(value: SupportsFloat) -> float:
 
 
 def number(value: float) -> str:
-    """A coordinate to a tenth of a pixel, the same on every machine."""
+    """A coordinate to a tenth of a pixel, equal on every machine."""
     text = f"{round(settled(value), 1) + 0.0:.1f}"
     return text.removesuffix(".0")
 
@@ -40,9 +40,9 @@ class Path:
     """Lines and arcs.
 
     Attributes:
-        kind: What they stand for, which says how they look.
+        kind: What they represent, which determines how they look.
         data: Their path in the words of SVG.
-        is_faint: Whether they stand back.
+        is_faint: Whether they are in the background.
     """
 
     kind: str
@@ -64,7 +64,7 @@ class Words:
     """Letters, from a point on their base line.
 
     Attributes:
-        kind: What they name, which says how they look; may be empty.
+        kind: What they name, which determines how they look; may be empty.
         at: The point.
         runs: Letters and indices by turns, and which are which.
         anchor: `middle` or `end` where the point is not at their beginning.

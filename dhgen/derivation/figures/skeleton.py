@@ -36,7 +36,7 @@ class Part(Enum):
 
     BASE = "base"  # from the caller's frame to the arm's
     LINK = "link"
-    SLIDE = "slide"  # as long as a joint says
+    SLIDE = "slide"  # as long as a joint's value
     TOOL = "tool"
 
 
@@ -46,7 +46,7 @@ class Member:
 
     Attributes:
         part: What it is.
-        after: How many joints lead to it.
+        after: How many joints are before it.
         start: Where it begins, (3,).
         end: Where it ends, (3,).
         name: How the formulas call its length.
@@ -245,7 +245,7 @@ class _Reader:
     ) -> Iterable[tuple[FloatArray, Polynomial]]:
         """A translation along axes of one of its frames or the other, with their lengths.
 
-        A row of a standard table leads along z and then along x. One of a modified table leads
+        A row of a standard table goes along z and then along x. A row of a modified table goes
         along x and then along the next z, and axes lie in any direction of their frames.
         """
         x, y, z = transform.translation

@@ -1,4 +1,4 @@
-"""Shapes as SVG; how each kind looks is said in the template of a figure."""
+"""Shapes as SVG; how each kind looks is in the template of a figure."""
 
 from __future__ import annotations
 

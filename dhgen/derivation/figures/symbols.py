@@ -87,7 +87,7 @@ def turning(sheet: Sheet, view: View, at: FloatArray, z: FloatArray, x: FloatArr
 
 
 def ground(sheet: Sheet, view: View, frame: FloatArray) -> None:
-    """What the base stands on: a square across the z axis of its frame, hatched."""
+    """The ground below the base: a square across the z axis of its frame, hatched."""
     at, x, y = frame[:3, 3], GROUND * frame[:3, 0], GROUND * frame[:3, 1]
     corners = [view.point(at + i * x + j * y) for i, j in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
     data = path(corners) + "Z"

@@ -1,4 +1,4 @@
-"""Shapes as TikZ, for LaTeX; how each kind looks is said in the template of a handout."""
+"""Shapes as TikZ, for LaTeX; how each kind looks is in the template of a handout."""
 
 from __future__ import annotations
 

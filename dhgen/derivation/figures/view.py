@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.derivation.figures.sheet import Point
 
-# directions from which x leads to the right or towards the reader; the first is the usual one
+# directions from which x points to the right or towards the reader; the first is the usual one
 AZIMUTHS = (-60, -40, 30, 50, 120, 150)
 ELEVATION = 22
 BETTER = 0.12  # by so much has another direction to be better than the usual one
@@ -27,9 +27,9 @@ class View:
     """A direction of sight.
 
     Attributes:
-        right: What leads to the right, (3,).
-        up: What leads upwards, (3,).
-        towards: What leads towards the reader, (3,).
+        right: The direction to the right, (3,).
+        up: The direction upwards, (3,).
+        towards: The direction towards the reader, (3,).
     """
 
     right: FloatArray
@@ -41,7 +41,7 @@ class View:
         return settled(at @ self.right), settled(-(at @ self.up))
 
     def depth(self, along: FloatArray) -> float:
-        """How far a vector leads towards the reader."""
+        """How far a vector points towards the reader."""
         return settled(along @ self.towards)
 
 

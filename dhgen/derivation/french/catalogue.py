@@ -86,7 +86,7 @@ class Pair:
 
     @cached_property
     def weight(self) -> int:
-        """How much of a sentence it says by itself: the more, the sooner it is tried."""
+        """How many words of a sentence are its own: the more, the sooner it is tried."""
         return sum(map(len, self.pieces))
 
     @cached_property
@@ -111,7 +111,7 @@ class Pair:
 
 @cache
 def catalogue() -> tuple[Pair, ...]:
-    """All pairs, those that say most first."""
+    """All pairs, the weightiest first."""
     found = [pair for path in sorted(FOLDER.glob("*.txt")) for pair in pairs_of(path)]
     return tuple(sorted(found, key=lambda pair: -pair.weight))
 

@@ -48,14 +48,14 @@ class French:
     """French, and what the catalogue lacked.
 
     Attributes:
-        missing: English sentences that stayed, with a mark for every formula.
+        missing: English sentences without a translation, with a mark for every formula.
     """
 
     missing: list[str] = field(default_factory=list)
 
     @property
     def untranslated(self) -> list[str]:
-        """The sentences that stayed English, each once, with an ellipsis for every formula."""
+        """The sentences without a translation, each once, with an ellipsis for every formula."""
         return list(dict.fromkeys(_MARK.sub("…", each) for each in self.missing))
 
     @property
@@ -93,7 +93,7 @@ class French:
         )
 
     def _shape(self, shape: Shape) -> Shape:
-        """A shape; of letters, numbers and what is in parentheses are in French, names stay."""
+        """A shape; of letters, numbers and what is in parentheses are in French, names are kept."""
         if not isinstance(shape, Words):
             return shape
         return replace(shape, runs=tuple((self._letters(run), below) for run, below in shape.runs))
@@ -121,7 +121,7 @@ class French:
         return Prose("".join(pieces), tuple(found))
 
     def words(self, text: str) -> str:
-        """A text in French; a sentence that the catalogue lacks stays, and is noted."""
+        """A text in French; a sentence that the catalogue lacks is left in English, and noted."""
         written = french(text)
         if written is not None:
             return written
@@ -138,7 +138,7 @@ def _listing(text: str) -> str:
 
 
 def _tree(text: str) -> str:
-    """The tree of solutions, in which all roots stand below each other; no wider for its rows."""
+    """The tree of solutions, in which all roots are below each other; no wider for its rows."""
     lines = [_ROW.sub(r"ligne \1", line) for line in text.split("\n")]
     start = max(line.find(_ROOT) for line in lines)
     if start < 0:

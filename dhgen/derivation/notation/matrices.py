@@ -151,7 +151,7 @@ def expanded(algebra: Algebra, polynomial: Polynomial) -> Polynomial:
 
 
 def of_single(algebra: Algebra, angle: AngleSum) -> tuple[Polynomial, Polynomial]:
-    """Cosine and sine of an angle sum by those of its joints."""
+    """Cosine and sine of an angle sum by its joints' cosines and sines."""
     cosine, sine = algebra.ring.one, algebra.ring.zero
     for joint, sign in angle.terms:
         c = algebra.generator(single(joint).cosine)

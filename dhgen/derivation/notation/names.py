@@ -146,7 +146,7 @@ def forward_matrix(number: int) -> Symbol:
 
 
 def pose_letter(letters: Mapping[str, Symbol]) -> str:
-    """That of the entries of POS: p, or m where points of axes are called p."""
+    """The letter of the entries of POS: p, or m where points of axes are called p."""
     return "m" if any(each.text.startswith("p_") for each in letters.values()) else "p"
 
 

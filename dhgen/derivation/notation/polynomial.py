@@ -166,7 +166,7 @@ class Writer:
         return parts
 
     def _by_entries(self, inside: Polynomial) -> list[Polynomial]:
-        """Terms one by one, but those with the same entries of the pose together."""
+        """Terms one by one, but terms with equal entries of the pose together."""
         orders = self.alphabet.orders
         groups: dict[tuple[int, ...], list[Polynomial]] = {}
         for term in _terms_of(inside):
@@ -216,7 +216,7 @@ class Writer:
 
 
 def _crossed(polynomial: Polynomial, alphabet: Alphabet) -> list[list[int]]:
-    """The constants that are in products of two, with those beside them there."""
+    """The constants that are in products of two, with their partners there."""
     groups: list[set[int]] = []
     for monomial in polynomial:
         pair = {place for place, power in enumerate(monomial) if power}

@@ -57,7 +57,7 @@ def choosing_section(story: Story) -> list[Block]:
 
 
 def _whole_turns(chain: Chain) -> list[Block]:
-    """Joints whose angle has several values with which the arm stands alike."""
+    """Joints whose angle has several values for one posture of the arm."""
     joints = (each for each, turns in zip(chain.joints, chain.turning, strict=True) if turns)
     wide = [each.number for each in joints if each.limits and np.ptp(each.limits) > TURN]
     if not wide or coupled_turns(chain) is not None:
@@ -108,7 +108,7 @@ def _shortest(story: Story, which: str) -> list[Block]:
 
 
 def nearest_to_zero(chain: Chain, example: Example) -> tuple[int, float]:
-    """The row of an example that is nearest to q = 0 of those inside, and the sum of squares."""
+    """The row inside the limits that is nearest to q = 0 in an example, and the sum of squares."""
     rows = [
         sum(
             (_nearest(value, joint.limits) if turns else value / chain.size) ** 2

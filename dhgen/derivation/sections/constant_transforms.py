@@ -27,7 +27,7 @@ Vector = tuple["Polynomial", ...]
 
 
 def constant_matrices(story: Story) -> list[Block]:
-    """C_0, K_0 to K_4 and C_6 of an arm of six joints as matrices, without those that are one."""
+    """C_0, K_0 to K_4 and C_6 of an arm of six joints as matrices, without identities."""
     algebra, chain = story.algebra, story.algebra.chain
     between: list[list[Element]] = [[]]
     for link in chain.links:

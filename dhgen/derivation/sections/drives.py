@@ -136,7 +136,7 @@ def inner_value(story: Story, number: int) -> Formula:
 
 
 def columns_by_drives(story: Story) -> list[Block]:
-    """The Jacobian's columns by drives, where these are sums of those by angles and lengths."""
+    """The Jacobian's columns by drives, where these are sums of columns by angles and lengths."""
     geometry = story.robot.geometry
     if not isinstance(geometry, DhTable):
         return []

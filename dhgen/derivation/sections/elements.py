@@ -104,7 +104,7 @@ def known_side_blocks(story: Story, number: int) -> list[Block]:
 
 
 def _second_origins(step: Step) -> tuple[Origin, ...]:
-    """The place of a step's second equation; that of a cross product is printed in the step."""
+    """The place of a step's second equation; a cross product's is printed in the step."""
     if step.fallback is None:
         return ()
     return tuple(origin for origin in step.fallback.origins if origin.column != MOMENT)

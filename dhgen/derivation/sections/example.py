@@ -185,7 +185,7 @@ def _known_side_blocks(story: Story, side: KnownSide, letters: dict[str, float])
 
 
 def _values(story: Story, number: int, letters: dict[str, float]) -> Iterable[Relation]:
-    """The letters that a step defines, in its order; `letters` learns those for later steps."""
+    """The letters that a step defines, in its order; added to `letters` for later steps."""
     local = dict(letters)
     shown: set[str] = set()
     size = story.algebra.chain.size
@@ -213,7 +213,7 @@ def _value(relation: Relation, letters: dict[str, float]) -> float | None:
 
 
 def _relations(blocks: Iterable[Block]) -> Iterable[Relation]:
-    """What stands on lines of its own, or is defined in a sentence."""
+    """The relations on lines of their own, or defined in a sentence."""
     for block in blocks:
         if isinstance(block, Display):
             yield from _flat(block.formulas)
@@ -284,7 +284,7 @@ def _statuses(found: SingularExample, before: int) -> Iterable[str]:
 
 
 def _sums_left(story: Story, found: SingularExample) -> dict[int, Formula]:
-    """By row what is still known of two angles, in those in which one took the seed's value."""
+    """By row what is still known of two angles, where one took the seed's value."""
     left = found.place.left
     if left is None:
         return {}

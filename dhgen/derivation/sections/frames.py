@@ -96,7 +96,7 @@ def _sum(angle: AngleSum) -> Formula:
 
 
 def _meeting(story: Story) -> list[Prose]:
-    """Neighbouring axes that meet, without those of a spherical wrist."""
+    """Neighbouring axes that meet, without a spherical wrist's."""
     wrist = story.wrist or ()
     pairs = [p for p in neighbours(story.algebra.chain) if p.meet is not None]
     pairs = [p for p in pairs if abs(p.lean) < 1 - NEAR and p.first not in wrist[:2]]

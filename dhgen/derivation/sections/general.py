@@ -44,7 +44,7 @@ def general_section(
     Args:
         story: The arm.
         kernel: The algorithm's constants.
-        nearest: What is said of the nearest arm with a structure, where its rows are tried first.
+        nearest: The blocks on the nearest arm with a structure, where its rows are tried first.
         example: A pose in numbers.
     """
     chain, motions = story.algebra.chain, begin_with_motions(kernel, story.algebra.chain)
@@ -191,7 +191,7 @@ MISSED = "What keeps this arm from a closed form: "
 
 
 def near_blocks(chain: Chain, unit: str) -> list[Block]:
-    """By how much axes miss one point or one direction; `unit` is that of lengths."""
+    """By how much axes miss one point or one direction; lengths are in `unit`."""
     triples = [t for t in axis_triples(chain) if min(t.tilt, t.miss / chain.size) >= EXACT]
     apart = [t for t in triples if t.miss < NEARLY_CONCURRENT * chain.size]
     leaning = [t for t in triples if t not in apart and t.tilt < NEARLY_PARALLEL]

@@ -91,7 +91,7 @@ def _given(story: Story) -> list[Block]:
 
 
 def _angles(story: Story) -> Prose:
-    """What those entries are that come from angles of a list."""
+    """The entries that come from angles of a list."""
     t11, t21, *t3 = (story.letters[name] for name in ("t11", "t21", "t31", "t32", "t33"))
     match story.algebra.chain.task.directions:
         case Directions.YAW:
@@ -129,7 +129,7 @@ def _other_forms(story: Story) -> list[Block]:
 
 
 def _named(story: Story) -> Prose:
-    """The entries of U_0 that the task gives, without those that repeat others."""
+    """The entries of U_0 that the task gives, without repetitions."""
     if story.algebra.chain.task.kind is TaskKind.ORIENTATION:
         return say("the nine of the rotation")
     known = sorted(story.derivation.problem.known)
@@ -137,7 +137,7 @@ def _named(story: Story) -> Prose:
 
 
 def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
-    """The entries of U_0 by those of POS = (p_ij), or (m_ij) where points of axes are called p."""
+    """The entries of U_0 by POS = (p_ij), or (m_ij) where points of axes are called p."""
     algebra = story.algebra
     problem = story.derivation.problem
     entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]

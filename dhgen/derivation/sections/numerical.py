@@ -104,7 +104,7 @@ def _example_blocks(story: Story, kernel: NumericalKernel) -> list[Block]:
 
 
 def _seeded(story: Story, kernel: NumericalKernel) -> _Seeded | None:
-    """The pose among those drawn whose solution needs the least motion from the one before.
+    """The drawn pose whose solution needs the least motion from the one before.
 
     None where drives move several joints, and where every solution touches a limit.
     """
@@ -194,7 +194,7 @@ def _first_step(kernel: NumericalKernel, found: _Seeded) -> list[Block]:
 
 
 def _nearest(kernel: NumericalKernel, found: _Seeded) -> list[Block]:
-    """That no motion which leaves the tool where it is leads nearer to the seed."""
+    """That no motion which leaves the tool where it is ends nearer to the seed."""
     q = found.example.rows[0]
     J, off = _rows(kernel, q), _difference(kernel, q, found.seed)
     factors = np.linalg.solve(J @ J.T, J @ off)

@@ -1,4 +1,4 @@
-"""What else a step could have been, and why it is not: one line, as a teacher says it."""
+"""What else a step could have been, and why it is not: one line, in a teacher's words."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ SHORT = 40  # visible characters of an equation that may be in a line of text
 
 
 def other_step(story: Story, number: int) -> Step | None:
-    """The best step that could stand in place of one; None where only steps that follow could.
+    """The best step that could replace one; None where only steps that follow could.
 
     Another equation for the same unknown comes before those for others.
 
@@ -81,7 +81,7 @@ def _what(step: Step) -> object:
 
 
 def _difference(step: Step, other: Step) -> str:
-    """What speaks against the other one, of what the search weighs: values, then the equations."""
+    """The drawback of the other one, of what the search weighs: values, then the equations."""
     if other.roots > step.roots:
         return f"with {counted(other.roots, 'value')} instead of {numeral(step.roots)}"
     if (other.unknowns, other.roots) == (step.unknowns, step.roots) and (

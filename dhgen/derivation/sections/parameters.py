@@ -183,7 +183,7 @@ PI_HALF = Symbol(r"\pi/2", "π/2")
 
 
 def reference_angles(story: Story) -> list[Block]:
-    """A sentence with the angles of the table that are not those of the letters."""
+    """A sentence with the angles of the table that are not the letters' angles."""
     found = list(_relations(story))
     if not found:
         return []
@@ -224,7 +224,7 @@ def _turned(angle: float, reference: Symbol) -> Formula:
 
 
 def _angles(story: Story, *, moving: bool = False) -> Iterator[tuple[Symbol, Expression]]:
-    """The angles of the table that do not move, with their letters; or what is added to those too.
+    """The angles of the table that do not move, with their letters; or offsets of moving ones, too.
 
     Args:
         story: The arm.

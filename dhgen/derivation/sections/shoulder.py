@@ -71,7 +71,7 @@ def wrist_from_shoulder(story: Story, plane: ArmPlane) -> list[Polynomial]:
 def _columns(
     story: Story, vectors: Iterable[tuple[str, Iterable[Polynomial]]], prime: str
 ) -> Formula:
-    """Every vector as a column; those of frame 3 have a prime."""
+    """Every vector as a column; vectors of frame 3 have a prime."""
     shown = []
     for name, entries in vectors:
         column = Matrix(tuple((story.write(entry),) for entry in entries))
@@ -122,7 +122,7 @@ def _named(story: Story) -> dict[Polynomial, Symbol]:
 
 
 def _in_joints(story: Story, across: list[Polynomial]) -> Formula | None:
-    """The same without joint 1, which turns the two about axis 1, where that is upright."""
+    """The vectors without joint 1, which turns the two about axis 1, where that is upright."""
     algebra = story.algebra
     c, s = (algebra.generator(name) for name in (single(1).cosine, single(1).sine))
     if len(across) != 2:

@@ -164,7 +164,7 @@ def _motions_about_axes(story: Story) -> list[Formula]:
 
 
 def _tool_behind(story: Story, moved: Symbol, last: Symbol) -> Prose:
-    """What stands behind the last frame, and why: the tool's pose where all joints are zero."""
+    """The transform behind the last frame, and why: the tool's pose where all joints are zero."""
     algebra, chain = story.algebra, story.algebra.chain
     fixed = [e for link in chain.links for e in algebra.lifted(link) if isinstance(e, Fixed)]
     tool, still = algebra.lift(chain.tool), identity(algebra.ring)
@@ -216,7 +216,7 @@ def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:
 
 
 def _rounded(story: Story) -> list[Block]:
-    """What the reader of the limits has to know."""
+    """A remark for readers of the limits."""
     turning = [joint for joint in joints_of(story) if joint.kind is JointKind.REVOLUTE]
     limits = [value for joint in turning for value in joint.limits or ()]
     if not any(map(is_rounded_limit, limits)):

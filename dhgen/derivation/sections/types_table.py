@@ -78,7 +78,7 @@ TYPE_8_BY_TRIANGLE = (
 
 
 def types_table(story: Story) -> list[Block]:
-    """A line for every type that a step is of, or one that could stand in its place."""
+    """A line for every type of a step, or of a step that could replace one."""
     taken = {step.kind for step in story.steps}
     instead = _instead(story)
     kinds = sorted(taken | instead.keys(), key=lambda kind: kind.number)
@@ -198,7 +198,7 @@ def _steps(story: Story) -> list[Block]:
 
 
 def _instead(story: Story) -> dict[Kind, list[str]]:
-    """The types of what could stand in place of steps, and the numbers of these."""
+    """The types of what could replace steps, and the numbers of these steps."""
     found: dict[Kind, list[str]] = {}
     for number in range(1, len(story.steps) + 1):
         other = other_step(story, number)

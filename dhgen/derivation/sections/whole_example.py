@@ -61,7 +61,7 @@ def whole_example_section(story: Story, kernel: GeneralKernel) -> list[Block]:
 
 
 def _coefficients(example: WholeExample) -> Iterable[Relation]:
-    """lambda_0, lambda_1, mu_1 and so on, without those that are nothing beside the largest."""
+    """lambda_0, lambda_1, mu_1 and so on, without negligible ones."""
     even, uneven = example.coefficients[: HARMONICS + 1], example.coefficients[HARMONICS + 1 :]
     for m in range(HARMONICS + 1):
         values = [even[m], *([uneven[m - 1]] if m else [])]

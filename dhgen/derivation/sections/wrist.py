@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 
 def wrist_blocks(story: Story, number: int) -> list[Block]:
-    """What stands before a step: the rotation of U_{n-3}, before the first one of the wrist.
+    """The blocks before a step: the rotation of U_{n-3}, before the first one of the wrist.
 
     Args:
         story: The arm and its derivation.
@@ -50,7 +50,7 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
     known = joined([say("{}", _symbol(story, joint)) for joint in arm])
     letters = _letters(story, m)
     side = story.known_side
-    if letters and side is not None and side.after == number - 1:  # it was just said
+    if letters and side is not None and side.after == number - 1:  # it has just been printed
         text = (
             "The first three rows and columns of {} are the orientation that is left to the wrist:"
         )

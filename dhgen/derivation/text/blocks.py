@@ -20,8 +20,8 @@ class Given:
     """A text that the user wrote, or a name: escaped where printed, the same in all languages.
 
     Attributes:
-        text: It.
-        path: The document that it leads to, where a format can do that; empty for none.
+        text: The text.
+        path: The document that it links to, where a format can do that; empty for none.
     """
 
     text: str
@@ -81,7 +81,7 @@ class Drawing:
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A figure in a file of its own, with what is said below it."""
+    """A figure in a file of its own, with its caption."""
 
     path: str
     title: str
@@ -90,7 +90,7 @@ class Picture:
 
 @dataclass(frozen=True, slots=True)
 class Folded:
-    """What no later line needs: it opens where the reader asks for it, where a format can do that.
+    """What no later line needs: it opens when the reader clicks on it, where a format can do that.
 
     Attributes:
         title: What is there, without formulas.

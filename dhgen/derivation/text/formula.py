@@ -1,6 +1,6 @@
 """Formulas as values: what is printed as LaTeX, as plain text, and evaluated by the tests.
 
-A formula knows nothing of its looks. `style.py` prints it, `lines.py` breaks it.
+A formula does not hold its looks. `style.py` prints it, `lines.py` breaks it.
 """
 
 from __future__ import annotations
@@ -109,7 +109,7 @@ class Listing:
 
     Attributes:
         items: The formulas.
-        separator: What stands between them.
+        separator: The text between them.
     """
 
     items: tuple[Formula, ...]
@@ -304,7 +304,7 @@ def square(operand: Formula) -> Formula:
 
 
 def root(operand: Formula) -> Formula:
-    """A square root; that of one square is its absolute value."""
+    """A square root; a square's root is an absolute value."""
     if operand in (ZERO, ONE):
         return operand
     if isinstance(operand, Power) and operand.exponent == 2:
@@ -313,7 +313,7 @@ def root(operand: Formula) -> Formula:
 
 
 def equal(*sides: Formula) -> Relation:
-    """a = b = c, without the same side twice in a row."""
+    """a = b = c, without equal sides in a row."""
     kept = [side for place, side in enumerate(sides) if place == 0 or side != sides[place - 1]]
     kept = kept if len(kept) > 1 else list(sides)
     return Relation(tuple(kept), ("=",) * (len(kept) - 1))

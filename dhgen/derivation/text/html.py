@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 
-THIN = "0.167em"  # browsers know spaces by their widths alone
-COMMA = "{,}"  # of decimals, in LaTeX; the converter knows points alone
+THIN = "0.167em"  # browsers have spaces by their widths alone
+COMMA = "{,}"  # of decimals, in LaTeX; the converter reads points alone
 _DECIMAL = re.compile(r"(<mn>\d+)\.(\d+</mn>)")
 _MATH = re.compile(r"<math [^>]*>(.*)</math>", re.DOTALL)
 # The letters of an upright name, one by one: together they are the name of something.

@@ -28,7 +28,7 @@ def in_line(
         words: Writes words of the derivation's own.
         given: Writes a text of the user, without line breaks.
         formula: Writes a formula; of several side by side each is one.
-        link: Makes a written text lead to a document, by its path.
+        link: Links a written text to a document, by its path.
     """
 
     def written(part: Formula | Given | Prose) -> str:

@@ -1,4 +1,4 @@
-"""Blocks as LaTeX, for the document of `handout.tex.jinja`, which says what its commands do."""
+"""Blocks as LaTeX, for the document of `handout.tex.jinja`, which defines the commands."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 LEVELS = {2: "section", 3: "subsection"}
-LINES = 16  # of formulas that stay on one page
+LINES = 16  # of formulas that are kept on one page
 BESIDE = 105  # characters that fit side by side in a table
 BROKEN = 35  # of them in a column whose cells are broken into lines
 _OPENING = re.compile(r'(^|[\s(])"')

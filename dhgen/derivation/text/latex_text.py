@@ -56,7 +56,7 @@ _LAST_OF_LATIN = 0x17F  # of the letters that the fonts of every LaTeX have
 
 
 def latex_text(text: str) -> str:
-    """A text in a line; two hyphens stay two."""
+    """A text in a line; two hyphens remain two."""
     return "".join(map(_letter, text)).replace("--", "-{}-")
 
 

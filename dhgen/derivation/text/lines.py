@@ -43,7 +43,7 @@ SHORT = 10  # visible characters that may follow a long side on its line
 
 
 def lines_of(formulas: tuple[Formula, ...], style: Style) -> list[tuple[str, str]]:
-    """The lines of a display; a formula alone stays in one where it fits or holds a matrix."""
+    """The lines of a display; a formula alone is kept in one where it fits or holds a matrix."""
     if len(formulas) == 1 and (_has_matrix(formulas[0]) or len(broken(formulas[0], style)) == 1):
         return [(show(formulas[0], style), "")]
     return laid_out(formulas, style)
@@ -167,7 +167,7 @@ def terms_within(formula: Formula, room: int) -> tuple[Formula, ...]:
 
 
 def _packed(terms: tuple[Formula, ...], room: int) -> tuple[Formula, ...]:
-    """The same sum in fewer terms: as many together as fit in the room."""
+    """The sum in fewer terms: as many together as fit in the room."""
     groups: list[list[Formula]] = []
     used = 0
     for term in terms:

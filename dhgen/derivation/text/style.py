@@ -31,7 +31,7 @@ class Style(Protocol):
 
     @property
     def room(self) -> str:
-        """What stands between factors of which one is a name of several letters."""
+        """The space between factors of which one is a name of several letters."""
         ...
 
     @property
@@ -57,7 +57,7 @@ class Style(Protocol):
         ...
 
     def quotient(self, above: str, below: str) -> str:
-        """A fraction; both parts are enclosed already where the style asks for it."""
+        """A fraction; both parts are enclosed already where the style needs it."""
         ...
 
     def root(self, operand: str) -> str:

@@ -51,7 +51,7 @@ class _Place:
         number: Which one it is.
         latex: A symbol's spelling in formulas, for formulas that a template writes.
         text: Its spelling in a terminal.
-        empty: Whether it is a list of nothing, which templates ask for.
+        empty: Whether it is a list of nothing, which templates test.
     """
 
     number: int

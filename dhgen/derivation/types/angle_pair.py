@@ -166,14 +166,14 @@ def _vanishing(*, together: bool) -> Formula:
 
 
 def _only_if(context: StepContext) -> Prose:
-    """That two links must be equal, where the same equations gave the angle between them."""
+    """That two links must be equal, where these equations gave the angle between them."""
     if _links(context) is None:
         return say("")
     return say(" (possible only with two links of equal length, as this arm has)")
 
 
 def _links(context: StepContext) -> tuple[float, float] | None:
-    """How long two links are, where the same equations gave the angle between them."""
+    """How long two links are, where these equations gave the angle between them."""
     own = {form.equation for form in context.step.forms}
     algebra = context.story.algebra
     for step in context.story.steps[: context.number - 1]:
@@ -210,7 +210,7 @@ def _turned_parts(turned: int) -> tuple[Formula, Formula]:
 
 
 def _definitions(context: StepContext, turned: int) -> list[Formula]:
-    """The letters; those that repeat another are given by it."""
+    """The letters; a repeated one is given by the first."""
     lines: list[Formula] = [context.definition(name) for name in ("X1", "Y1", "Z1")]
     if turned:
         lines += [equal(X2, times(_one(-turned), Y1)), equal(Y2, times(_one(turned), X1))]

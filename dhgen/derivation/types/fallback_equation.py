@@ -57,7 +57,7 @@ class Fallback:
 
     @classmethod
     def of(cls, context: StepContext) -> Fallback | None:
-        """That of a step, if it has one."""
+        """The fallback equation of a step, if it has one."""
         return None if context.step.fallback is None else cls(context, context.step.fallback)
 
     def blocks(self, sign: Formula) -> list[Block]:
@@ -123,7 +123,7 @@ class Fallback:
         return first - second
 
     def _scaled(self, letter: Formula) -> tuple[Formula, ...]:
-        """A letter of the second equation, with as many lengths as those of the first."""
+        """A letter of the second equation, with as many lengths as the first equation's."""
         power = self._power
         if power < 0:
             return (over(letter, times(*[SIZE] * -power)),)

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
 PRIME = 2**127 - 801  # leaves 23 when it is divided by 24: 2 and 3 have square roots
 POWERS = 3  # exponents of factors are below this
-SIMPLE = 64  # a number that may stand before a product
+SIMPLE = 64  # a number that may come before a product
 MOST_ANGLES = 4  # cosines and sines of the arm's own, of which powers are tried
 # In the places of lengths, so that their powers can be read off a product.
 LENGTHS = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191)
@@ -148,7 +148,7 @@ def _root(square: Fraction) -> int:
 
 
 def _is_yaw_plain(posture: Posture) -> bool:
-    """Whether the tool's x axis stays level, where the task names the yaw."""
+    """Whether the tool's x axis is always level, where the task names the yaw."""
     if posture.story.algebra.chain.task.directions is not Directions.YAW:
         return True
     tool = posture.frames()[0][-1]

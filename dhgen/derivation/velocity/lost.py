@@ -157,7 +157,7 @@ def _is_force_at(wrench: _Wrench, frame: int) -> bool:
 def _wrenches(
     story: Story, factor: Formula, others: Sequence[Formula], count: int
 ) -> Iterator[tuple[_Wrench, ...]]:
-    """Those of some postures where the formula vanishes, and so many motions are lost by it."""
+    """The wrenches of some postures where the formula vanishes and `count` motions are lost."""
     source = random.Random(3)  # noqa: S311 - postures, no secrets
     given, named = _given_values(story, source), _named_rows(story)
     found = 0
@@ -197,7 +197,7 @@ def _given_values(story: Story, source: random.Random) -> Values:
 def _singular_values_of_joints(
     story: Story, factor: Formula, given: Values, source: random.Random
 ) -> Values | None:
-    """Random values of all joints but one, which makes the formula zero, and of those given."""
+    """Random values of all joints, the given ones too, but one, which makes the formula zero."""
     reach = _reach(story)
     values = {j: source.uniform(-most, most) for j, most in reach.items()} | given
 
@@ -230,7 +230,7 @@ def _bisected(function: Callable[[float], float], low: float, high: float) -> fl
 
 
 def _named_rows(story: Story) -> NDArray[np.intp]:
-    """The rows of the Jacobian that are not zero for every posture, as those of a plane's z are."""
+    """The rows of the Jacobian that are not zero for every posture, as a plane's z is."""
     source = random.Random(4)  # noqa: S311 - a posture, no secret
     values = {j: source.uniform(-most, most) for j, most in _reach(story).items()}
     return np.flatnonzero(np.abs(_jacobian(story, values)).max(axis=1) > NEAR)
@@ -251,7 +251,7 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
     Args:
         story: The arm.
         values: Its joints.
-        named: The rows of the Jacobian that the task asks for.
+        named: The rows of the Jacobian that the task names.
     """
     chain = story.algebra.chain
     own = _posture(story, values).frames()[0]
@@ -281,7 +281,7 @@ def _axis(
     vector: Callable[[_Wrench], FloatArray],
     names: str = "xyz",
 ) -> Formula | None:
-    """The first axis of a frame, of those with given names, that vectors are along everywhere."""
+    """The first axis of a frame, among given names, that vectors are along everywhere."""
     for frame in range(story.dof + 1):
         for name in names:
             column = "xyz".index(name)

@@ -180,7 +180,7 @@ def level_axis(story: Story) -> int | None:
 def spins_that_count(story: Story, frames: list[Rows]) -> list[Vector]:
     """What the task names of an angular velocity is its product with these vectors.
 
-    That of the yaw is for tools whose x axis stays level, that of the pitch for those with a
+    The spin of the yaw is for tools whose x axis is always level, the pitch's for tools with a
     `level_axis`. Of roll and pitch together nothing is given.
 
     Args:

@@ -30,8 +30,8 @@ if TYPE_CHECKING:
     from dhgen.kinematics.constants import Polynomial
 
 MOST_TERMS = 200  # of a determinant that is taken apart, and of the minors that it is made of
-FEW = 3  # rows whose minors stay as they are: in normal form factors may be lost
-LONGEST = 8  # terms of a factor that still says something to a reader
+FEW = 3  # rows whose minors are left as they are: in normal form factors may be lost
+LONGEST = 8  # terms of a factor that is still of use to a reader
 
 Rows = tuple[tuple["Polynomial", ...], ...]
 Factored = tuple["Polynomial", list[tuple["Polynomial", int]]]

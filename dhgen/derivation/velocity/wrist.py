@@ -135,11 +135,11 @@ class ArmRows:
 
     Attributes:
         alone: That row, from 0.
-        lever: What stands in it.
+        lever: Its entry.
         rest: The two others, from 0.
         first: Of these the column of joint 1.
-        inverse: Of these the columns of joints 2 and 3, inverted: for each of the two joints what
-            stands above and, last, below the fraction.
+        inverse: Of these the columns of joints 2 and 3, inverted: for each of the two joints the
+        numerators and, last, the denominator.
     """
 
     alone: int
@@ -182,7 +182,7 @@ def _reduced(*forms: Polynomial) -> Vector:
 
 
 def _shortest(algebra: Algebra, centre: int, entry: Polynomial) -> Polynomial:
-    """The same as the entry, as another frame has it if that is shorter."""
+    """The entry, or what another frame has for it if that is shorter."""
     value, found = expanded(algebra, entry), entry
     for frame in (1, 2):
         moved, _ = next(velocity_columns(algebra, frame, centre, 1))
