@@ -32,9 +32,9 @@ class Tolerances:
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: `merge` where an angle before them is good to few digits only.
-        brink: Nearer to it than this a pose is singular to fast code, and farther where an angle
-            before is good to few digits. Rounding over the root of
-            this is far below what a joint may miss its limit by.
+        near_reach_boundary: Nearer to it than this a pose is singular to fast code, and farther
+            where an angle before is good to few digits. Rounding over the root of this is far below
+            what a joint may miss its limit by.
         orthonormal: The sum of squares by which a rotation misses orthonormality, up to which it
             is taken as it is.
         rotation: The sum of squares up to which it is replaced by the nearest rotation: a pose in
@@ -57,8 +57,8 @@ class Tolerances:
         limit: A joint value may miss its limit by this: rounding of the angle itself.
         overshoot: Fast code may be wrong by this where an arm is nearly singular twice over: the
             direction to a wrist centre just farther than `regular` from an axis is taken from an
-            elbow just farther than `brink` from stretched. A joint that is beyond a limit by no
-            more may be on it: the pose is left.
+            elbow just farther than `near_reach_boundary` from stretched. A joint that is beyond a
+            limit by no more may be on it: the pose is left.
         clamped: A joint that comes out a little beyond a limit is clamped to it if the pose is
             missed by so much more at most. Not above `merge`: where two branches are distinct, the
             one beyond the limit must not be taken for the other.
@@ -84,7 +84,7 @@ class Tolerances:
     led: float = 1e-5
     merge: float = 1e-14
     blur: float = 1e-11
-    brink: float = 1e-11
+    near_reach_boundary: float = 1e-11
     orthonormal: float = 1e-24
     rotation: float = 1e-9
     steep: float = 1e-6
@@ -110,7 +110,7 @@ class Tolerances:
         return self.exact < self.consistent
 
     @property
-    def graze(self) -> float:
+    def limit_slack(self) -> float:
         """Half of `overshoot`: what is as far from this at most is beyond a limit by rounding."""
         return 0.5 * self.overshoot
 
@@ -148,7 +148,7 @@ SINGLE = Precision(
         reach=4e-6,
         merge=1e-7,
         blur=1e-5,
-        brink=4e-6,
+        near_reach_boundary=4e-6,
         orthonormal=1e-12,
         nothing=5e-7,
         exact=5e-5,

@@ -395,10 +395,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v31 <= m10) | (v30 <= m10) | (v29 <= m10) | (v28 <= m10) |
         (dhgen_abs_wide(D3_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3)) |
-        (dhgen_grazes_wide(excess_mmm) | dhgen_grazes_wide(excess_mmp) |
-        dhgen_grazes_wide(excess_mpm) | dhgen_grazes_wide(excess_mpp) |
-        dhgen_grazes_wide(excess_pmm) | dhgen_grazes_wide(excess_pmp) |
-        dhgen_grazes_wide(excess_ppp) | dhgen_grazes_wide(excess_ppm));
+        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+        dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
+        dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
+        dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
 }
 
 #if DHGEN_LANES > 1
@@ -473,7 +473,7 @@ DHGEN_INLINE int solve_regular(
             + 2)), excess_p = dhgen_maximum_four(v30, dhgen_exceeds_four(q5_p, joints + 4)),
         excess_m = dhgen_maximum_four(v30, dhgen_exceeds_four(q5_m, joints + 4));
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, q3_p, angle2);

@@ -80,7 +80,7 @@ high2 = 1.9198621781937626
 low3 = -1.0471975521965977
 high3 = 1.1344640147963143
 high5 = 2.0943951033931953
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.7360249999999986e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.5272052969784855e-10
@@ -463,10 +463,11 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
-            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
-            or abs(excess_ppm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mmm - limit_slack) <= limit_slack or abs(excess_mmp - limit_slack) <=
+            limit_slack or abs(excess_mpm - limit_slack) <= limit_slack or abs(excess_mpp -
+            limit_slack) <= limit_slack or abs(excess_pmm - limit_slack) <= limit_slack or
+            abs(excess_pmp - limit_slack) <= limit_slack or abs(excess_ppp - limit_slack) <=
+            limit_slack or abs(excess_ppm - limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp

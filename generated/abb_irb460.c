@@ -298,8 +298,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11] + T[0] * T[0] + T[4] * T[4]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v1 <= m2) | (T11 * T11 + T21 * T21 <= m1) | (dhgen_abs_wide(D3_p) <= m4)
-        | (dhgen_abs_wide(D3_m) <= m4)) | (dhgen_grazes_wide(excess_mm) |
-        dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        | (dhgen_abs_wide(D3_m) <= m4)) | (dhgen_within_slack_wide(excess_mm) |
+        dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
+        dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -356,7 +357,7 @@ DHGEN_INLINE int solve_regular(
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v14,
             dhgen_beyond_four(q2, joints + 1)));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_4(q, q + 4, q + 8, q + 12, q1, q2, q3, q4);

@@ -93,7 +93,7 @@ DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
     return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z1))) |
         (N1 <= doubt_limit_squared4) | (dhgen_abs_wide(v22) <= v24) | (dhgen_abs_wide(v21) <= v24) |
         (dhgen_abs_wide(v19) <= v23) | (dhgen_abs_wide(v18) <= v23) | (v9 <= m3) | (v10 <= m3)) |
-        (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+        (dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m));
 }
 
 DHGEN_ALWAYS

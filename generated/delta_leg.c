@@ -205,8 +205,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_within_wide(q[9], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared4) | (v9 <= m3) | (v10 <= m3)) | (dhgen_grazes_wide(excess_mm) |
-        dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        (N1 <= doubt_limit_squared4) | (v9 <= m3) | (v10 <= m3)) |
+        (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -259,7 +260,7 @@ DHGEN_INLINE int solve_regular(
         v13 = dhgen_beyond_four(angle1, joints),
         excess = dhgen_maximum_four(v13, dhgen_exceeds_four(q3, joints + 2));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, angle1, q2);

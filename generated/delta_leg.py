@@ -60,7 +60,7 @@ doubt_limit_squared4 = 9.770775678976e-08  # square of a length that fixes no an
 low1 = -1.0471975521965977
 high1 = 1.5707963277948966
 high3 = 1.0471975521965977
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.1258239999999996e-11  # 1000 * merge_slack2 [m^2]
 m2 = 0.524  # crank [m]
 m3 = 3.125824e-08  # doubt_limit1^2 [m^2]
@@ -259,8 +259,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
-            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mm - limit_slack) <= limit_slack or abs(excess_mp - limit_slack) <=
+            limit_slack or abs(excess_pp - limit_slack) <= limit_slack or abs(excess_pm -
+            limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, angle3, angle5

@@ -386,10 +386,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D3) <= m2) | (v1 <= m1) | (v23 <= m9) | (v22 <= m9) |
-        (v20 <= m9) | (v21 <= m9)) | (dhgen_grazes_wide(excess_mmm) | dhgen_grazes_wide(excess_mmp)
-        | dhgen_grazes_wide(excess_mpm) | dhgen_grazes_wide(excess_mpp) |
-        dhgen_grazes_wide(excess_pmm) | dhgen_grazes_wide(excess_pmp) |
-        dhgen_grazes_wide(excess_ppp) | dhgen_grazes_wide(excess_ppm));
+        (v20 <= m9) | (v21 <= m9)) | (dhgen_within_slack_wide(excess_mmm) |
+        dhgen_within_slack_wide(excess_mmp) | dhgen_within_slack_wide(excess_mpm) |
+        dhgen_within_slack_wide(excess_mpp) | dhgen_within_slack_wide(excess_pmm) |
+        dhgen_within_slack_wide(excess_pmp) | dhgen_within_slack_wide(excess_ppp) |
+        dhgen_within_slack_wide(excess_ppm));
 }
 
 #if DHGEN_LANES > 1
@@ -465,7 +466,7 @@ DHGEN_INLINE int solve_regular(
             v27)), excess_p = dhgen_maximum_four(v28, dhgen_exceeds_four(q5_p, joints + 4)),
         excess_m = dhgen_maximum_four(v28, dhgen_exceeds_four(q5_m, joints + 4));
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, q3_p, angle1);

@@ -233,8 +233,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15
         + v12 * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6)) |
-        (dhgen_grazes_wide(excess_mm) | dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp)
-        | dhgen_grazes_wide(excess_pm));
+        (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -278,7 +278,7 @@ DHGEN_INLINE int solve_regular(
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v11,
             dhgen_beyond_four(q2, joints + 1)));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, q1, q2);

@@ -70,7 +70,7 @@ low2 = -1e-09
 high2 = 1.4835298651951803
 low3 = -0.17453292619943295
 high3 = 1.6580627903946132
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.77241e-09  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.8837681414751167e-13
@@ -289,8 +289,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
-            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mm - limit_slack) <= limit_slack or abs(excess_mp - limit_slack) <=
+            limit_slack or abs(excess_pp - limit_slack) <= limit_slack or abs(excess_pm -
+            limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, q2_pp, q3_pp

@@ -205,7 +205,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13
-        * T13 + v7 * v7)) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+        * T13 + v7 * v7)) | (dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m));
 }
 
 #if DHGEN_LANES > 1
@@ -248,7 +248,7 @@ DHGEN_INLINE int solve_regular(
             dhgen_maximum_double(dhgen_low(joints + 2) - T34, T34 - dhgen_high(joints + 2)))),
         excess = dhgen_maximum_four(v7, dhgen_exceeds_four(angle3, joints));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_4(q, q + 4, q, q + 4, angle3, q2, dhgen_all_four(q3), q4);

@@ -66,7 +66,7 @@ high2 = 2.460914246312005
 low3 = -0.1500000004
 high3 = 4e-10
 per_size = 2.5
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.0709436649753e-13  # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m2 = 2.2222222222222223  # a2 * k2 [m^-1]
 m3 = 0.04444444444444444  # a1 - a2 * k1 * k2 [m]
@@ -253,8 +253,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
-            + k]
+            1.0 if abs(excess_p - limit_slack) <= limit_slack or abs(excess_m - limit_slack) <=
+            limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle3, angle2, q3_p

@@ -421,7 +421,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[7 * row + 13] = q7_p;
             kind[row + 1] = dhgen_kind_within_wide(q[7 * row + 7], 0.0 < excess_m);
             left |= (v24 <= m10) | (v38 <= m11);
-            left |= dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m);
+            left |= dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m);
         }
     }
     return left;
@@ -474,7 +474,7 @@ DHGEN_INLINE int solve_regular(
         excess_m = dhgen_maximum_four(dhgen_exceeds_four(q3_m, joints + 2), dhgen_maximum_four(v69,
             dhgen_exceeds_four(q1_m, joints)));
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 14, q + 28, q + 42, angle6, angle5, angle4, q4_p);

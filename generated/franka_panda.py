@@ -87,7 +87,7 @@ high5 = 2.897300001
 low6 = -0.017500001
 high6 = 3.752500001
 high7 = 2.897300001
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.940449e-11  # 1000 * merge_slack2 [m^2]
 m2 = 1.754896834873102  # k1 * k6 [m^-2]
 m3 = 3.4805529861209807  # k2 * k6 [m^-2]
@@ -597,10 +597,11 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
-            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
-            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
-            or abs(excess_ppm - graze) <= graze else kept[17 * w + k]
+            1.0 if abs(excess_mmm - limit_slack) <= limit_slack or abs(excess_mmp - limit_slack) <=
+            limit_slack or abs(excess_mpm - limit_slack) <= limit_slack or abs(excess_mpp -
+            limit_slack) <= limit_slack or abs(excess_pmm - limit_slack) <= limit_slack or
+            abs(excess_pmp - limit_slack) <= limit_slack or abs(excess_ppp - limit_slack) <=
+            limit_slack or abs(excess_ppm - limit_slack) <= limit_slack else kept[17 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle16, angle12, angle8

@@ -436,10 +436,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) |
         (v39 <= m6) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3 * (k5 * w1)) <= m2) | (v22 <=
-        m5)) | (dhgen_grazes_wide(excess_mmm) | dhgen_grazes_wide(excess_mmp) |
-        dhgen_grazes_wide(excess_mpm) | dhgen_grazes_wide(excess_mpp) |
-        dhgen_grazes_wide(excess_pmm) | dhgen_grazes_wide(excess_pmp) |
-        dhgen_grazes_wide(excess_ppp) | dhgen_grazes_wide(excess_ppm));
+        m5)) | (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+        dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
+        dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
+        dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
 }
 
 #if DHGEN_LANES > 1
@@ -527,7 +527,7 @@ DHGEN_INLINE int solve_regular(
         q3_p = v1 + dhgen_pick_four(0.0 < v46, q3_, v43), v55 = dhgen_maximum_four(v42, v46),
         excess_p = dhgen_maximum_four(v53, v55), excess_m = dhgen_maximum_four(v54, v55);
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, q3_p, angle1);

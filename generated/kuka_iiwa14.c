@@ -420,7 +420,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[7 * row + 13] = q7_m;
             kind[row + 1] = dhgen_kind_within_wide(q[7 * row + 7], 0.0 < excess_m);
             left |= (v23 <= m3) | (v39 <= m4);
-            left |= dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m);
+            left |= dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m);
         }
     }
     return left;
@@ -478,7 +478,7 @@ DHGEN_INLINE int solve_regular(
             dhgen_maximum_four(dhgen_exceeds_four(q6_m, joints + 5), dhgen_maximum_four(v71,
             dhgen_exceeds_four(q5_m, joints + 4))));
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 14, q + 28, q + 42, q1_p, q2_p, dhgen_all_four(q3_p), q4_p);

@@ -87,7 +87,7 @@ high4 = 2.0943951033931953
 high5 = 2.9670597293903604
 high6 = 2.0943951033931953
 high7 = 3.054326191990077
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest4 - longest4_apart) * (longest4_apart - shortest4) [m^4]
 m1 = 1.4473755527432779e-11
 m2 = 1.306e-11  # 1000 * merge_slack1 [m]
@@ -705,10 +705,11 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
-            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
-            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
-            or abs(excess_ppm - graze) <= graze else kept[17 * w + k]
+            1.0 if abs(excess_mmm - limit_slack) <= limit_slack or abs(excess_mmp - limit_slack) <=
+            limit_slack or abs(excess_mpm - limit_slack) <= limit_slack or abs(excess_mpp -
+            limit_slack) <= limit_slack or abs(excess_pmm - limit_slack) <= limit_slack or
+            abs(excess_pmp - limit_slack) <= limit_slack or abs(excess_ppp - limit_slack) <=
+            limit_slack or abs(excess_ppm - limit_slack) <= limit_slack else kept[17 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, q3_ppp

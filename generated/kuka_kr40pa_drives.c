@@ -228,8 +228,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((N3_m <= doubt_limit_squared2) | (dhgen_abs_wide(D3_m) <= m3) | (N3_p <=
         doubt_limit_squared2) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3)) |
-        (dhgen_grazes_wide(excess_mm) | dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp)
-        | dhgen_grazes_wide(excess_pm));
+        (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -274,7 +274,7 @@ DHGEN_INLINE int solve_regular(
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v9,
             dhgen_beyond_four(angle2, joints + 1)));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_2(q, q + 3, q + 6, q + 9, q1, angle2);

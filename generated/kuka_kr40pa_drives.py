@@ -70,7 +70,7 @@ low2 = -2.216568151032799
 high2 = 0.3490658513988659
 low3 = -0.3490658513988659
 high3 = 2.2689280285926285
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 4.2025e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m3 = 1.6825651982798743e-10
@@ -283,8 +283,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
-            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mm - limit_slack) <= limit_slack or abs(excess_mp - limit_slack) <=
+            limit_slack or abs(excess_pp - limit_slack) <= limit_slack or abs(excess_pm -
+            limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_pp, angle2, q3_pp

@@ -283,8 +283,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((N3_m <= doubt_limit_squared2) | (dhgen_abs_wide(D3_m) <= m3) | (N3_p <=
         doubt_limit_squared2) | (T11 * T11 + T21 * T21 <= m1) | (v1 <= m2) | (dhgen_abs_wide(D3_p)
-        <= m3)) | (dhgen_grazes_wide(excess_mm) | dhgen_grazes_wide(excess_mp) |
-        dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        <= m3)) | (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -341,7 +341,7 @@ DHGEN_INLINE int solve_regular(
         excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v13,
             dhgen_beyond_four(angle2, joints + 1)));
     const dhgen_four_mask outside = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_4(q, q + 4, q + 8, q + 12, q1, angle2, q3, q4);

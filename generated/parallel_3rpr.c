@@ -54,7 +54,8 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rpr_leg_drives(
     kind[1] = dhgen_kind_within_wide(q[1], 0.0 < excess_m);
     const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | (v1 <= m1) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+    return (exact == 0) | (v1 <= m1) | (dhgen_within_slack_wide(excess_p) |
+        dhgen_within_slack_wide(excess_m));
 }
 
 DHGEN_ALWAYS

@@ -49,7 +49,7 @@ free_limit1 = 1.6e-12  # a length that fixes no angle [m]
 low2 = 0.29999999839999997
 high2 = 1.6000000016
 per_size = 0.625
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 2.5600000000000004e-08  # doubt_limit1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
@@ -140,8 +140,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
         kept[16 * w + k] = (
-            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
-            + k]
+            1.0 if abs(excess_p - limit_slack) <= limit_slack or abs(excess_m - limit_slack) <=
+            limit_slack else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = q2_p, outside_p, outside_m
         turns[0 * w + k], turns[1 * w + k] = T14, -T24

@@ -133,7 +133,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_within_wide(q[2], 0.0 < excess_m);
     const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | (v1 <= m1) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+    return (exact == 0) | (v1 <= m1) | (dhgen_within_slack_wide(excess_p) |
+        dhgen_within_slack_wide(excess_m));
 }
 
 #if DHGEN_LANES > 1
@@ -158,7 +159,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four_mask outside = 0.0 < excess;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7])) <=
-        DHGEN_ORTHONORMAL) == 0) | dhgen_grazes_four(excess)) | (unsigned)(v1 <= m1))
+        DHGEN_ORTHONORMAL) == 0) | dhgen_within_slack_four(excess)) | (unsigned)(v1 <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(T14, T14, T14, T14),

@@ -49,7 +49,7 @@ free_limit1 = 1e-12  # a length that fixes no angle [m]
 offset1 = 1.5707963267948966  # offset of joint 1 [rad]
 low2 = -1e-09
 high2 = 1.000000001
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 9.999999999999999e-09  # doubt_limit1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
@@ -143,8 +143,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 else kept[16 * w + k]
         kept[16 * w + k] = (
-            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
-            + k]
+            1.0 if abs(excess_p - limit_slack) <= limit_slack or abs(excess_m - limit_slack) <=
+            limit_slack else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = q2_p, outside_p, outside_m
         turns[0 * w + k], turns[1 * w + k] = T14, -T24

@@ -367,8 +367,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
-        (v31 <= m9) | (v30 <= m9) | (v28 <= m9) | (v29 <= m9)) | (dhgen_grazes_wide(excess_mm) |
-        dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        (v31 <= m9) | (v30 <= m9) | (v28 <= m9) | (v29 <= m9)) | (dhgen_within_slack_wide(excess_mm)
+        | dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
+        dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -435,7 +436,7 @@ DHGEN_INLINE int solve_regular(
             dhgen_maximum_four(dhgen_exceeds_four(angle3, joints + 1), dhgen_maximum_four(v20,
             v21)));
     const dhgen_four_mask outside_p = 0.0 < excess;
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, angle3, q3_p, angle4);

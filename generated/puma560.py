@@ -78,7 +78,7 @@ high1 = 2.7925268041909272
 high2 = 1.9198621781937626
 high3 = 2.356194491192345
 high5 = 1.7453292529943296
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]
 m2 = 2.2049387897563516e-11
@@ -434,8 +434,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
-            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mm - limit_slack) <= limit_slack or abs(excess_mp - limit_slack) <=
+            limit_slack or abs(excess_pp - limit_slack) <= limit_slack or abs(excess_pm -
+            limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, angle4, q3_ppp

@@ -1686,7 +1686,7 @@ DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(exceeds)(DHGEN_VECTOR x, const struct dhgen_j
 }
 
 /* Whether a joint that is so far beyond its limits may be so by rounding. */
-DHGEN_INLINE DHGEN_MASK DHGEN_OF(grazes)(DHGEN_VECTOR x)
+DHGEN_INLINE DHGEN_MASK DHGEN_OF(within_slack)(DHGEN_VECTOR x)
 {
     return DHGEN_OF(abs)(x - DHGEN_NEAR_LIMIT) <= DHGEN_NEAR_LIMIT;
 }
@@ -2234,8 +2234,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= boundary3) | (dhgen_abs_wide(D1) <=
         k2) | (N3 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7))
-        | (dhgen_grazes_wide(excess_mm) | dhgen_grazes_wide(excess_mp) |
-        dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        | (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 /* One regular pose where lanes are single numbers. */

@@ -67,7 +67,7 @@ high2 = 2.530727416391778
 low3 = -0.20000000080000002
 high3 = 8e-10
 per_size = 1.25
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 5.382361223382632e-12
 m2 = 1.25  # L2 * k2 [m^-1]
@@ -267,8 +267,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
-            + k]
+            1.0 if abs(excess_p - limit_slack) <= limit_slack or abs(excess_m - limit_slack) <=
+            limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle3, angle2, q3_p

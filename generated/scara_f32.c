@@ -1686,7 +1686,7 @@ DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(exceeds)(DHGEN_VECTOR x, const struct dhgen_j
 }
 
 /* Whether a joint that is so far beyond its limits may be so by rounding. */
-DHGEN_INLINE DHGEN_MASK DHGEN_OF(grazes)(DHGEN_VECTOR x)
+DHGEN_INLINE DHGEN_MASK DHGEN_OF(within_slack)(DHGEN_VECTOR x)
 {
     return DHGEN_OF(abs)(x - DHGEN_NEAR_LIMIT) <= DHGEN_NEAR_LIMIT;
 }
@@ -2088,7 +2088,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0f * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13
-        * T13 + v5 * v5)) | (dhgen_grazes_wide(excess_p) | dhgen_grazes_wide(excess_m));
+        * T13 + v5 * v5)) | (dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m));
 }
 
 /* One regular pose where lanes are single numbers. */

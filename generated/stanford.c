@@ -308,10 +308,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v10 <= m2) | (dhgen_abs_wide(D1) <= m1) | (v15 <= m4) | (v16 <= m4)) |
-        (dhgen_grazes_wide(excess_mmm) | dhgen_grazes_wide(excess_mmp) |
-        dhgen_grazes_wide(excess_mpm) | dhgen_grazes_wide(excess_mpp) |
-        dhgen_grazes_wide(excess_pmm) | dhgen_grazes_wide(excess_pmp) |
-        dhgen_grazes_wide(excess_ppp) | dhgen_grazes_wide(excess_ppm));
+        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+        dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
+        dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
+        dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
 }
 
 #if DHGEN_LANES > 1
@@ -393,7 +393,7 @@ DHGEN_INLINE int solve_regular(
         excess_m = dhgen_maximum_four(dhgen_exceeds_four(q6_m, joints + 5), dhgen_maximum_four(v30,
             dhgen_maximum_four(v29, v31)));
     const dhgen_four_mask outside_p = 0.0 < excess_p, outside_m = 0.0 < excess_m;
-    if (dhgen_bits_four((dhgen_grazes_four(excess_p) | dhgen_grazes_four(excess_m))))
+    if (dhgen_bits_four((dhgen_within_slack_four(excess_p) | dhgen_within_slack_four(excess_m))))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, angle1, q2_p, q3_p, q4_p);

@@ -70,7 +70,7 @@ per_size = 0.7874015748031495
 high4 = 2.9670597293903604
 high5 = 1.5707963277948966
 high6 = 2.9670597293903604
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.3959800000001614e-12  # 1000 * k4 [m^2]
 m2 = 1.6129e-08  # doubt_limit1^2 [m^2]
 m4 = 9.999999999999999e-09  # doubt_limit^2
@@ -359,10 +359,11 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mmm - graze) <= graze or abs(excess_mmp - graze) <= graze or
-            abs(excess_mpm - graze) <= graze or abs(excess_mpp - graze) <= graze or abs(excess_pmm -
-            graze) <= graze or abs(excess_pmp - graze) <= graze or abs(excess_ppp - graze) <= graze
-            or abs(excess_ppm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mmm - limit_slack) <= limit_slack or abs(excess_mmp - limit_slack) <=
+            limit_slack or abs(excess_mpm - limit_slack) <= limit_slack or abs(excess_mpp -
+            limit_slack) <= limit_slack or abs(excess_pmm - limit_slack) <= limit_slack or
+            abs(excess_pmp - limit_slack) <= limit_slack or abs(excess_ppp - limit_slack) <=
+            limit_slack or abs(excess_ppm - limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = angle1, angle3, q3_ppp

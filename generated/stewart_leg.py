@@ -49,7 +49,7 @@ free_limit1 = 7.5e-13  # a length that fixes no angle [m]
 low3 = 0.34999999924999997
 high3 = 0.75000000075
 per_size = 1.3333333333333333
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.625000000000001e-09  # doubt_limit1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
@@ -174,8 +174,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = 1.0 if v1 <= m1 or v2 <= m1 else kept[16 * w + k]
         kept[16 * w + k] = (
-            1.0 if abs(excess_p - graze) <= graze or abs(excess_m - graze) <= graze else kept[16 * w
-            + k]
+            1.0 if abs(excess_p - limit_slack) <= limit_slack or abs(excess_m - limit_slack) <=
+            limit_slack else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, q3_pp, outside_pp
         kept[20 * w + k], turns[0 * w + k], turns[1 * w + k] = outside_pm, -T24, -math.sqrt(v1)

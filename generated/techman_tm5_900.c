@@ -411,8 +411,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((dhgen_abs_wide(v1 * D3_mm) <= m4) | (dhgen_abs_wide(v1 * D3_mp) <= m4) |
         (dhgen_abs_wide(v1 * D3_pm) <= m4) | (dhgen_abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) |
-        (dhgen_abs_wide(D1) <= m1) | (v4 <= m2)) | (dhgen_grazes_wide(excess_mm) |
-        dhgen_grazes_wide(excess_mp) | dhgen_grazes_wide(excess_pp) | dhgen_grazes_wide(excess_pm));
+        (dhgen_abs_wide(D1) <= m1) | (v4 <= m2)) | (dhgen_within_slack_wide(excess_mm) |
+        dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
+        dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -484,7 +485,7 @@ DHGEN_INLINE int solve_regular(
         q4_m = dhgen_raised_four(v29), excess = dhgen_exceeds_four(angle4, joints + 2);
     const dhgen_four_mask outside_p = 0.0 < excess;
     const dhgen_four q1_p = v18 + q1_, q5_p = v18 + e6 * angle2, q6_p = v18 + (angle1 + v6 * v7);
-    if (dhgen_bits_four(dhgen_grazes_four(excess)))
+    if (dhgen_bits_four(dhgen_within_slack_four(excess)))
         return -1;
 
     dhgen_store_4(q, q + 12, q + 24, q + 36, q1_p, q2_p, angle4, q4_p);

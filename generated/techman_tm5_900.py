@@ -82,7 +82,7 @@ k4 = 0.753494329955167  # 1 / arm_size1 [m^-1]
 k5 = 0.35337324999999997  # a2^2 + a3^2 [m^2]
 k6 = 2.8323236099663807  # 1 / (2 * a3 * a2) [m^-2]
 high3 = 2.705260341591211
-graze = 5e-07  # half of what rounding may take a joint beyond its limit
+limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 3.246208900000177e-12  # 1000 * k3 [m^2]
 m2 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 1.5753409313203573e-10  # 10 * (longest3 - longest3_clear) * (longest3_clear - shortest3) [m^4]
@@ -489,8 +489,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(excess_mm - graze) <= graze or abs(excess_mp - graze) <= graze or
-            abs(excess_pp - graze) <= graze or abs(excess_pm - graze) <= graze else kept[16 * w + k]
+            1.0 if abs(excess_mm - limit_slack) <= limit_slack or abs(excess_mp - limit_slack) <=
+            limit_slack or abs(excess_pp - limit_slack) <= limit_slack or abs(excess_pm -
+            limit_slack) <= limit_slack else kept[16 * w + k]
         )
 
         rows[0 * w + k], rows[1 * w + k], rows[2 * w + k] = q1_ppp, q2_ppp, angle7

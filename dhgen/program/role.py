@@ -41,7 +41,7 @@ class LimitEnd:
     end: Literal["low", "high"]
 
 
-GRAZE = Tolerance("graze", 0)
+LIMIT_SLACK = Tolerance("limit_slack", 0)
 """Half of what a joint may be beyond its limits by rounding, in programs of regular poses."""
 
 Role = Source | Tolerance | LimitEnd

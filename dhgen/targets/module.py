@@ -203,9 +203,9 @@ def regular_solver(module: SolverModule, asked: Container[int] | None = None) ->
     if module.plain or coupled_turns(module.chain) is not None:
         return None
     table = module.precision.tolerances
-    graze = table.graze if has_poses_to_clamp(module.chain) else None
+    limit_slack = table.limit_slack if has_poses_to_clamp(module.chain) else None
     limits = tuple(_limits(module, range(module.chain.dof) if asked is None else asked))
-    solver = regular(module.solver, ArmLimits(limits, graze), table)
+    solver = regular(module.solver, ArmLimits(limits, limit_slack), table)
     if solver is None or asked is None:
         return solver
     values = tuple(value for joint, value in enumerate(solver.joints) if joint in asked)

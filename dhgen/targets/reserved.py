@@ -28,8 +28,8 @@ weights why within worst wrist x xx xy y yy z zero zeros zz
 """
 
 _LANES = """
-APART beyond exceeds four from grazes irregularity_four irregularity_wide kind KNOWN
-maximum_double MOTION odd SIGNED SIGNED_TWICE size solve_wide TURNS wide word
+APART beyond exceeds four from irregularity_four irregularity_wide kind KNOWN
+maximum_double MOTION odd SIGNED SIGNED_TWICE size solve_wide TURNS wide within_slack word
 """
 
 _PYTHON = """

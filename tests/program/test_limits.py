@@ -29,12 +29,12 @@ def asked(limits: Sequence[Limits], given: Sequence[float]) -> tuple[bool, bool]
     limiting = Limiting(builder, ArmLimits(tuple(limits), 0.5 * ROUNDING))
     for place in range(len(limits)):
         limiting.limited(place + 1, builder.pose(1, place + 1))
-    found = limiting.outside(), limiting.grazed()
+    found = limiting.outside(), limiting.within_slack()
     program = truths(builder, [node for node in found if node is not None])
     pose = np.eye(4)
     pose[0, : len(given)] = given
-    outside, grazed = interpret(program, pose[None]).q[0, 0]
-    return bool(outside), bool(grazed)
+    outside, within_slack = interpret(program, pose[None]).q[0, 0]
+    return bool(outside), bool(within_slack)
 
 
 def truths(builder: Builder, nodes: Sequence[Node]) -> Program:
@@ -55,8 +55,8 @@ def test_a_value_is_outside_beyond_either_end(low: float, high: float) -> None:
 def test_rounding_is_to_blame_for_little(low: float, high: float) -> None:
     limits = [Limits(low, high, turns=False)]
     for end, way in ((low, -1.0), (high, 1.0)):
-        for off, grazed in ((-1e-9, False), (1e-9, True), (0.9e-6, True), (1.1e-6, False)):
-            assert asked(limits, [end + way * off])[1] == grazed
+        for off, within_slack in ((-1e-9, False), (1e-9, True), (0.9e-6, True), (1.1e-6, False)):
+            assert asked(limits, [end + way * off])[1] == within_slack
 
 
 def test_one_joint_that_is_far_outside_says_all() -> None:
@@ -78,7 +78,7 @@ def test_rounding_is_no_matter_where_joints_are_not_put_onto_limits() -> None:
     limiting = Limiting(builder, ArmLimits((Limits(-1.0, 1.0, turns=True),)))
     limiting.limited(1, builder.pose(1, 1))
     assert limiting.outside() is not None
-    assert limiting.grazed() is None
+    assert limiting.within_slack() is None
 
 
 def test_limits_that_are_alike_on_both_sides_hold_for_both_signs_at_once() -> None:
@@ -109,6 +109,6 @@ def test_rounding_is_to_blame_where_a_turn_would_lead_past_the_other_end(
     low: float, high: float, end: float, way: float
 ) -> None:
     limits = [Limits(low, high, turns=True)]
-    for off, grazed in ((1e-9, True), (0.9e-6, True), (1.1e-6, False), (0.1, False)):
-        assert asked(limits, [end + way * off]) == (True, grazed)
+    for off, within_slack in ((1e-9, True), (0.9e-6, True), (1.1e-6, False), (0.1, False)):
+        assert asked(limits, [end + way * off]) == (True, within_slack)
     assert asked(limits, [end - way * 1e-9]) == (False, False)

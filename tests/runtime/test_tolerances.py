@@ -49,7 +49,7 @@ def expected(known: Tolerances) -> dict[str, float]:
         "ROUNDED": known.rotation,
         "NO_YAW": known.steep,
         "LIMIT": known.limit,
-        "NEAR_LIMIT": known.graze,
+        "NEAR_LIMIT": known.limit_slack,
         "EXACT": known.exact,
         "PROMISED": max(known.promised, known.exact),
         "FREE": known.free,

@@ -28,7 +28,7 @@ _NAMES = {
     "blur": ("blur_slack", "the same where they follow an angle that is good to few digits"),
     "nothing": ("square_rounding", "squares are rounded by this"),
     "longest": ("longest_slide", "no slide is longer"),
-    "graze": ("graze", "half of what rounding may take a joint beyond its limit"),
+    "limit_slack": ("limit_slack", "half of what rounding may take a joint beyond its limit"),
     "steep": ("steep_limit", "a vertical axis, which has no yaw, is no longer seen from above"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
     "exact": ("exact_slack", "a row that misses the pose by no more is exact"),

@@ -153,12 +153,12 @@ class _Flattening:
 
     def _doubts(self, choices: tuple[Choice, ...], fits: Sequence[Node]) -> list[Node]:
         """Any doubt in any branch, by type; doubts that need the joints' values come last."""
-        builder, grazed = self._builder, self._solver.grazed
+        builder, within_slack = self._builder, self._solver.within_slack
         rounded = []
         if fits:
             exact, near = fits
             rounded = [builder.apply("and", near, builder.apply("not", exact))]
-        groups = (self._solver.doubts, () if grazed is None else (grazed,))
+        groups = (self._solver.doubts, () if within_slack is None else (within_slack,))
         early, late = (
             [self._value(each, self._unrolled, choice) for each in group for choice in choices]
             for group in groups

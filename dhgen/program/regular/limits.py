@@ -13,7 +13,7 @@ from functools import reduce
 from typing import TYPE_CHECKING
 
 from dhgen.program.building.tolerance_constants import tolerance_constant
-from dhgen.program.role import GRAZE, LimitEnd, Source
+from dhgen.program.role import LIMIT_SLACK, LimitEnd, Source
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -48,12 +48,12 @@ class ArmLimits:
 
     Attributes:
         joints: Of every joint, None for one without; empty if they don't matter.
-        graze: Half of what rounding may take a joint beyond its limits where it is put onto them
+        limit_slack: Half of what rounding may take a joint beyond its limits where it is clamped
             for that elsewhere [rad, arm sizes]; None if it isn't.
     """
 
     joints: tuple[Limits | None, ...] = ()
-    graze: float | None = None
+    limit_slack: float | None = None
 
 
 NO_LIMITS = ArmLimits()
@@ -145,10 +145,10 @@ class Limiting:
         c, s = (self._share(joint, part, of, half) for part, of in _HALF_SHARES)
         beyond = builder.sub(builder.mul(c, builder.absolute(y)), builder.mul(s, x))
         self._outside.append(self._positive(beyond))
-        if self._limits.graze is None:
+        if self._limits.limit_slack is None:
             return None
         length = builder.add(builder.absolute(y), builder.absolute(x))
-        near = builder.constant(f"near{joint}", 2.0 * self._limits.graze, "")
+        near = builder.constant(f"near{joint}", 2.0 * self._limits.limit_slack, "")
         return builder.apply("at_most", builder.absolute(beyond), builder.mul(near, length))
 
     def _share(self, joint: int, name: str, of: Callable[[float], float], angle: float) -> Node:
@@ -179,11 +179,11 @@ class Limiting:
         found = [*self._outside, *([self._positive(self._farthest())] if self._beyond else [])]
         return reduce(lambda a, b: self._builder.apply("or", a, b), found) if found else None
 
-    def grazed(self) -> Node | None:
+    def within_slack(self) -> Node | None:
         """Whether any joint is outside, but none by more than rounding; None if it is no matter."""
-        if not self._beyond or self._limits.graze is None:
+        if not self._beyond or self._limits.limit_slack is None:
             return None
-        middle = tolerance_constant(self._builder, GRAZE, self._limits.graze)
+        middle = tolerance_constant(self._builder, LIMIT_SLACK, self._limits.limit_slack)
         off = self._builder.absolute(self._builder.sub(self._farthest(), middle))
         return self._builder.apply("at_most", off, middle)
 

@@ -20,18 +20,18 @@ if TYPE_CHECKING:
 BOTH_SIDES = 100  # one width is used for both sides if it is not so many times the other
 
 
-class Brink:
-    """The width of brinks, and what can't be this side of them.
+class ReachBoundary:
+    """The width in which a pose is near the reach boundary, and what is never in it.
 
     Args:
         builder: Where values are.
-        tolerances: The table: brinks are wider than where branches meet, by as much as limits ask
+        tolerances: The table: it is wider than where branches meet, by as much as limits ask
             for, and where the value hangs on an angle that is good to few digits.
     """
 
     def __init__(self, builder: Builder, tolerances: Tolerances) -> None:
         self._builder = builder
-        self._beside = builder.integer(round(tolerances.brink / tolerances.merge))
+        self._wider = builder.integer(round(tolerances.near_reach_boundary / tolerances.merge))
         self._blurred = builder.integer(round(tolerances.near / tolerances.regular))
         self._least: dict[Node, Fraction] = {}
 
@@ -102,7 +102,7 @@ class Brink:
         if blurred:
             inner = outer = self._times(self._blurred, inner)
         else:
-            inner = self._times(self._beside, inner)
+            inner = self._times(self._wider, inner)
         low, high = self._growth(inner), self._growth(outer)
         if self._number(outer) is None or high <= BOTH_SIDES * low:
             wider = outer if low < high else inner

@@ -22,7 +22,7 @@ from dhgen.program.ir import (
 from dhgen.program.regular.assumptions import Assumptions, Endings, joined, meeting
 from dhgen.program.regular.directions import by_their_lengths
 from dhgen.program.regular.limits import Limiting
-from dhgen.program.regular.reach_boundary import Brink
+from dhgen.program.regular.reach_boundary import ReachBoundary
 from dhgen.program.regular.signed import Signed, SignedArithmetic
 from dhgen.program.role import Tolerance
 
@@ -47,8 +47,8 @@ class Regular:
             one, in one branch, is enough to leave the pose to the whole program.
         joints: The values of the joints, NaN in all of them where a branch has no solution.
         outside: Whether one of them is outside its limits; None where there are no limits.
-        grazed: The truth value that joints are outside by no more than rounding; None where that
-            is no matter.
+        within_slack: The truth value that joints are outside by rounding only; None where that is
+            no matter.
         doubts: The other truth values: they are known before the values of the joints.
         fits: Where rows are refined, whether the row is exact, and whether it is near enough to be
             refined: if none is the former and one the latter, the pose may have been rounded.
@@ -57,7 +57,7 @@ class Regular:
     program: Program
     joints: tuple[Expression, ...]
     outside: Expression | None
-    grazed: Expression | None
+    within_slack: Expression | None
     doubts: tuple[Expression, ...]
     fits: tuple[Expression, ...]
 
@@ -89,7 +89,7 @@ class Unguarded:
         self._fits: list[tuple[Node, Node]] = []  # what is exact; what is near enough to be refined
         self._hardly_out: list[Node] = []  # out of reach by no more than rounding of a pose may do
         self._endings = Endings(self._builder)
-        self._brink = Brink(self._builder, tolerances)
+        self._boundary = ReachBoundary(self._builder, tolerances)
         self._reached: Guard | None = None
 
     def run(self) -> Regular:
@@ -113,11 +113,11 @@ class Unguarded:
         joints = [self._limited(limiting, place + 1, node) for place, node in enumerate(joints)]
         ended = self._endings.ended(joints)
         results = {f"q{place + 1}": node for place, node in enumerate(ended)}
-        beyond = {"outside": limiting.outside(), "grazed": limiting.grazed()}
+        beyond = {"outside": limiting.outside(), "within_slack": limiting.within_slack()}
         results |= {name: node for name, node in beyond.items() if node is not None}
         count = len(results)
         doubts = builder.joined(self._doubts, "or")
-        doubts = builder.disjunctions(d for d in doubts if not self._brink.excludes(d))
+        doubts = builder.disjunctions(d for d in doubts if not self._boundary.excludes(d))
         results |= {f"doubt{place + 1}": node for place, node in enumerate(doubts)}
         end = len(results)
         fits = zip(*self._fits, strict=True)
@@ -132,7 +132,7 @@ class Unguarded:
             finished,
             joints=finished.outputs[: len(joints)],
             outside=outputs.get("outside"),
-            grazed=outputs.get("grazed"),
+            within_slack=outputs.get("within_slack"),
             doubts=finished.outputs[count:end],
             fits=finished.outputs[end:],
         )
@@ -230,7 +230,7 @@ class Unguarded:
         assert apart is not None
         margin = self._arithmetic.plain(self._value(reached.margin))
         sides = self._truth(reached.condition), self._truth(apart)
-        self._doubts.append(self._brink.touches(margin, *sides, blurred=blurred))
+        self._doubts.append(self._boundary.touches(margin, *sides, blurred=blurred))
 
     def _take_if_consistent(self, condition: Expression) -> None:
         """What must hold for the arm to take the pose, unless it does by an identity.
@@ -269,7 +269,7 @@ class Unguarded:
                     self._fits.append((exact, builder.apply("at_most", total, farthest)))
                 doubtful = builder.apply("and", doubtful, builder.apply("at_most", total, most))
             else:
-                self._brink.keeps(short, accepted)
+                self._boundary.keeps(short, accepted)
             self._doubts.append(doubtful)
 
     def _of_size(self, size: Expression) -> Expression | None:
@@ -288,7 +288,7 @@ class Unguarded:
             self._ends_unless(guard.condition)
         else:
             square = self._arithmetic.plain(self._value(guard.margin))
-            self._brink.ends_at_root(square)
+            self._boundary.ends_at_root(square)
             self._endings.at_root(square)
             self._note_hardly_out(guard.condition, square)
 
@@ -306,7 +306,7 @@ class Unguarded:
 
     def _ends_unless(self, condition: Expression) -> None:
         inside = self._truth(condition)
-        self._brink.ends(inside)
+        self._boundary.ends(inside)
         self._endings.unless(inside)
 
     def _truth(self, expression: Expression) -> Node:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.program.ir import Apply, Integer, Joint, Let, Pose, Variable
-from dhgen.program.role import GRAZE, LimitEnd
+from dhgen.program.role import LIMIT_SLACK, LimitEnd
 from dhgen.program.walk import expressions
 from dhgen.targets.c.declared import Declaration
 from dhgen.targets.c.language import C
@@ -62,7 +62,9 @@ class LaneText:
         self._wide = wide
         roles = {c.name: c.role for c in program.constants}
         self._limits = {name: r for name, r in roles.items() if isinstance(r, LimitEnd)}
-        self._graze = {c.name: repr(c.value) for c in program.constants if c.role == GRAZE}
+        self._limit_slack = {
+            c.name: repr(c.value) for c in program.constants if c.role == LIMIT_SLACK
+        }
         self._turns = TurnReader(program)
         self._lanes = dict.fromkeys(roles, False)
         self._lanes |= {axis.name: True for axis in program.axes}
@@ -90,7 +92,7 @@ class LaneText:
     def text(self, expression: Expression) -> Text:
         """An expression."""
         match expression:
-            case Variable(name) if value := self._graze.get(name):
+            case Variable(name) if value := self._limit_slack.get(name):
                 return Text(value, ATOM, self._lanes[name])
             case Variable(name) if limit := self._limits.get(name):
                 limited = f"{PREFIX}{limit.end}({joint_text(limit.joint)})"
@@ -140,8 +142,8 @@ class LaneText:
                 limit = self._limits.get(name)
                 return self._limit_call("exceeds", value, limit.joint) if limit else None
             case "at_most", (Apply("abs", (Apply("sub", (value, half)),)), Variable(name)):
-                grazes = half == parts[1] and name in self._graze
-                return self._limit_call("grazes", value) if grazes else None
+                within_slack = half == parts[1] and name in self._limit_slack
+                return self._limit_call("within_slack", value) if within_slack else None
             case _:
                 return None
 

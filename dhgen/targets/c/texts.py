@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.printing.comments import plain
-from dhgen.program.role import GRAZE, LimitEnd
+from dhgen.program.role import LIMIT_SLACK, LimitEnd
 from dhgen.targets.c.table import c_ends
 from dhgen.targets.constants import constant_texts, made_of, texts_of
 from dhgen.targets.layout import GOES_ON, INDENT, WIDTH, listed, packed, paragraph
@@ -131,7 +131,7 @@ def _constants(
 
 def _in_macros(role: Role) -> bool:
     """Whether a constant is no variable: macros that compare with limits use it."""
-    return isinstance(role, LimitEnd) or role == GRAZE
+    return isinstance(role, LimitEnd) or role == LIMIT_SLACK
 
 
 def _constant_lines(constants: list[ConstantText], above: list[ConstantText]) -> list[str]:

@@ -37,7 +37,7 @@ DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(exceeds)(DHGEN_VECTOR x, const struct dhgen_j
 }
 
 /* Whether a joint that is so far beyond its limits may be so by rounding. */
-DHGEN_INLINE DHGEN_MASK DHGEN_OF(grazes)(DHGEN_VECTOR x)
+DHGEN_INLINE DHGEN_MASK DHGEN_OF(within_slack)(DHGEN_VECTOR x)
 {
     return DHGEN_OF(abs)(x - DHGEN_NEAR_LIMIT) <= DHGEN_NEAR_LIMIT;
 }
