@@ -27,7 +27,7 @@ def test_a_number_beside_a_parameter_gets_a_letter_and_its_decimals() -> None:
 
 def test_the_determinant_is_the_product_that_the_links_make() -> None:
     """The second link with the tool is g + a_3 + e_x long."""
-    line = r"\det J = -b (g + a_3 + e_x) s_3 (b c_2 + c_{23} (g + a_3 + e_x))"
+    line = r"\det J = -b (g + a_3 + e_x) (b c_2 + c_{23} (g + a_3 + e_x)) s_3"
     assert line in arm(*ROWS).splitlines()
 
 
@@ -55,7 +55,7 @@ def test_links_that_are_sums_stay_factors_of_the_determinant() -> None:
         parameters="{b: 0.3, g: 0.2, d1: 0.4}",
         task="position",
     )
-    line = r"\det J = -(g + a_2) (a_2 + b) s_3 (c_2 (g + a_2) + c_{23} (a_2 + b))"
+    line = r"\det J = -(g + a_2) (a_2 + b) (c_2 (g + a_2) + c_{23} (a_2 + b)) s_3"
     assert line in text.splitlines()
     meaning = "part of link length 2 and part of link length 3"
     assert f"$a_2 = 0.1$ m ({meaning})" in text

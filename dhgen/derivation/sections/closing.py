@@ -9,7 +9,7 @@ from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import has_signed_roots
 from dhgen.derivation.text.blocks import Drawing, Heading, Table, joined, paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
-from dhgen.derivation.velocity.worked_out import worked_out
+from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.program.walk import finds_roots
 from dhgen.robot.task import TaskKind
 
@@ -76,7 +76,7 @@ def _by_position_alone(story: Story) -> list[Block]:
     """Where an arm that no given orientation lets be singular would be so without it."""
     if story.algebra.chain.task.kind is not TaskKind.POSE:
         return []
-    found = worked_out(story, by_position=True)
+    found = determinant_of(story, by_position=True)
     vanishing = [each for each in found.factors if not each.is_never_zero] if found else []
     if not vanishing:
         return []

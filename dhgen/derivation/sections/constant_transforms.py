@@ -8,7 +8,7 @@ from dhgen.derivation.notation.names import letter
 from dhgen.derivation.sections.transforms import matrix_of, side_by_side
 from dhgen.derivation.text.blocks import Folded
 from dhgen.derivation.text.formula import atan2, equal, root
-from dhgen.derivation.velocity.wrist import crossed
+from dhgen.derivation.velocity.columns import crossed
 from dhgen.kinematics.chain import Fixed, Slide, Turn
 from dhgen.kinematics.product import product
 from dhgen.kinematics.ring import constant_value

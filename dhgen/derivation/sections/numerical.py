@@ -20,7 +20,7 @@ from dhgen.derivation.text.blocks import Display, Heading, display, paragraph, s
 from dhgen.derivation.text.formula import ZERO, Listing, Matrix, Symbol, equal, subtract, times
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.values import figures
-from dhgen.derivation.velocity.wrist import velocity_columns
+from dhgen.derivation.velocity.columns import view_from
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import identity
@@ -241,7 +241,7 @@ def _parallel_columns(story: Story, frame: int) -> list[Polynomial]:
     algebra = story.algebra
     links = [element for link in algebra.chain.links[:frame] for element in algebra.lifted(link)]
     level = product(links, algebra).column(2) == identity(algebra.ring).column(2)
-    columns = [moved[:2] for moved, _ in velocity_columns(algebra, frame, None, story.dof)]
+    columns = [moved[:2] for moved, _ in view_from(story, frame).columns(story.dof + 1)]
     x, y = columns[-1]
     if not (level and are_never_zero(algebra, x, y)):
         return []

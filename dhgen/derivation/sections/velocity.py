@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import DET_J, joint_symbol, letter
 from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.text.blocks import Table, display, joined, say
 from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, over, subtract, times
+from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.template import blocks_of
+from dhgen.derivation.text.words import joined as enumerated
 from dhgen.derivation.velocity.determinant import determinant_of
-from dhgen.derivation.velocity.lost import lost_motion
+from dhgen.derivation.velocity.irreducible import is_irreducible
+from dhgen.derivation.velocity.lost import lost_motion, point_name
 from dhgen.derivation.velocity.posture import level_axis
-from dhgen.derivation.velocity.worked_out import worked_out
+from dhgen.derivation.velocity.task_rows import ways_to_see
+from dhgen.derivation.velocity.with_arm_angle import determinant_with_arm_angle
 from dhgen.derivation.velocity.wrist import (
     adjugate,
     arm_rows,
@@ -27,10 +32,14 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
+    from dhgen.derivation.text.formula import Relation
+    from dhgen.derivation.velocity.determinant import Block as VelocityBlock
     from dhgen.derivation.velocity.determinant import Determinant
     from dhgen.derivation.velocity.wrist import ArmRows, WristBlocks
     from dhgen.kinematics.constants import Polynomial
 
+INSIDE = WIDTH // 4  # what is wider has a letter of its own in a matrix
+NAMED = WIDTH // 2  # what is wider has a letter of its own in a long product
 J_11, J_22 = letter("J", "J", "11"), letter("J", "J", "22")
 DET_22 = Symbol(r"\det J_{22}", "det J₂₂")
 
@@ -44,23 +53,32 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     """
     chain = story.algebra.chain
     redundant = chain.dof > chain.task.dimension
-    found = determinant_of(story, places)
-    if found is None:
-        found = worked_out(story, places)
+    found = determinant_of(story, places) or determinant_with_arm_angle(story, places)
+    found, letters = _with_letters(story, found) if found else (None, [])
     wrist = wrist_blocks(story)
-    square = chain.dof == chain.task.dimension
-    given = found is not None and bool(chain.free)
-    planar = found is not None and found.rows < chain.task.dimension
-    if found is None and wrist is None and not redundant and not (square and story.steps):
+    irreducible = _is_irreducible(story, found)
+    square = found is not None or irreducible or bool(ways_to_see(story))
+    if not (square or wrist or redundant):
         return []
+    elsewhere = found.elsewhere if found else None
+    given = square and bool(chain.free)
+    planar = found is not None and found.rows < chain.task.dimension
     return blocks_of(
         "velocity",
-        unfactored=found is None and square,
+        unfactored=square and found is None,
+        irreducible=irreducible,
+        alone=found.factors[0].formula if found and irreducible else None,
         determinant=found and display(equal(DET_J, found.formula)),
-        factors=_table(story, found) if found and found.factors else None,
+        letters=display(*letters) if letters else None,
+        arm_angle=chain.arm_angle and PSI,
+        factors=_table(story, found) if found else None,
+        never_zero=found is not None and not found.factors,
         listed=found is not None and all(each.place for each in found.factors),
+        frame=elsewhere and str(elsewhere[0]),
+        centre=elsewhere and str(elsewhere[1]),
         level=_level_axis(story),
         pointing=chain.task.directions is Directions.POINTING,
+        tilt=chain.task.directions is Directions.TILT,
         partial=found is not None and chain.task.dimension < 6,
         planar=planar,
         solved=joined([say("{}", joint_symbol(joint.number)) for joint in chain.solved]),
@@ -68,8 +86,52 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         given_and_planar=given and planar,
         redundant=redundant,
         wrist=wrist is not None,
+        **(_block(story, found.block) if found and found.block else {"block": None}),
         **(_wrist(story, wrist) if wrist else {}),
     )
+
+
+def _with_letters(story: Story, found: Determinant) -> tuple[Determinant, list[Relation]]:
+    """The determinant with letters for long factors where it is too wide, and what these are."""
+    if width(found.formula) <= WIDTH:
+        return found, []
+    used = {story.letters[constant.name].text for constant in story.algebra.chain.constants}
+    unused = (letter(each, each) for each in "FGHKLMN" if each not in used)
+    factors, defined = [], []
+    for each in found.factors:
+        is_long = width(each.formula) > NAMED
+        factors.append(replace(each, formula=next(unused)) if is_long else each)
+        defined += [equal(factors[-1].formula, each.formula)] if is_long else []
+    return replace(found, factors=tuple(factors)), defined
+
+
+def _is_irreducible(story: Story, found: Determinant | None) -> bool:
+    """Whether nothing shorter than the determinant is left to look for, and it is long."""
+    if story.algebra.chain.arm_angle:
+        return False
+    if found is None:
+        return is_irreducible(story)
+    long = len(found.factors) == 1 and width(found.factors[0].written_out) > WIDTH
+    return long and is_irreducible(story)
+
+
+def _block(story: Story, block: VelocityBlock) -> dict[str, object]:
+    """The matrix of a block, with letters for entries that are long."""
+    columns, entries = [], []
+    for number, column in block.columns:
+        columns.append([story.write_forward(entry) for entry in column])
+        for place, axis in enumerate("xyz"):
+            if width(columns[-1][place]) > INSIDE:
+                name = letter("j", "j", f"{axis}{number}")
+                entries.append(equal(name, columns[-1][place]))
+                columns[-1][place] = name
+    return {
+        "block": display(equal(letter("J", "J", "v"), Matrix(tuple(zip(*columns, strict=True))))),
+        "entries": display(*entries),
+        "movers": enumerated([str(number) for number, _ in block.columns]),
+        "block_point": point_name(story, block.centre),
+        "block_frame": str(block.frame),
+    }
 
 
 def _level_axis(story: Story) -> Symbol | None:
@@ -121,16 +183,28 @@ def _matrix(story: Story, block: tuple[tuple[Polynomial, ...], ...]) -> Matrix:
 
 
 def _table(story: Story, found: Determinant) -> list[Block]:
-    """The factors: the step that lists each as a condition, and what is lost where it vanishes."""
+    """The factors: the step that lists each as a condition, and what is lost where it vanishes.
+
+    Nothing where all that is known of one factor is that it vanishes where the determinant does.
+    """
     header = tuple(say(word) for word in ("factor", "step", "lost where it is zero"))
     rows = []
     for factor in found.factors:
-        others = [each.formula for each in found.factors if each is not factor]
-        lost = lost_motion(story, factor.formula, others) or say("no short name")
+        others = [each.written_out for each in found.factors if each is not factor]
+        lost = lost_motion(story, factor.written_out, others, found.elsewhere)
         if factor.is_never_zero:
             lost = say("never zero with the numbers of this arm")
-        rows.append((say("{}", factor.formula), _step(factor.place), lost))
-    return [Table(header, tuple(rows))]
+        elif lost is None and factor.place is None and not others:
+            return []
+        rows.append((say("{}", factor.formula), _step(factor.place), lost or _unnamed(story)))
+    return [Table(header, tuple(rows))] if rows else []
+
+
+def _unnamed(story: Story) -> Prose:
+    """A motion without a short name; that of the elbow is in no rows of the tool's velocity."""
+    if story.algebra.chain.arm_angle:
+        return say("with the tool at rest, a change of {}", PSI)
+    return say("no short name")
 
 
 def _step(place: Singularity | None) -> Prose:

@@ -23,7 +23,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.text.template import blocks_of
-from dhgen.derivation.velocity.worked_out import worked_out
+from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
 
@@ -97,7 +97,7 @@ def _singular(context: StepContext) -> Formula | Prose | None:
         return None
     if chain.task.kind is TaskKind.POSE:
         return say("{}", equal(DET_J, ZERO))
-    found = worked_out(context.story)
+    found = determinant_of(context.story)
     if chain.task.kind is not TaskKind.POSITION:
         return None if found is None else say("{}", equal(DET_J, ZERO))
     vanishing = [each for each in found.factors if not each.is_never_zero] if found else []

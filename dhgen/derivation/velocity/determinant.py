@@ -1,63 +1,81 @@
-"""The determinant of the Jacobian as a product of conditions of singular configurations.
+"""The determinant of the Jacobian, taken apart: of every block of its rows the factors.
 
-It is a polynomial in cosines, sines, slides and lengths. That it is a monomial in lengths times a
-product of conditions is tested at random places of the field of whole numbers modulo a prime of 127
-bits, in which there is no rounding: two polynomials of degree d that differ agree at such a place
-with a probability of d in that prime (J. T. Schwartz, 1980).
+In normal form a product may look like none, so the minors of small blocks stay as they are.
 """
 
 from __future__ import annotations
 
-import random
+from collections import Counter
 from dataclasses import dataclass
-from fractions import Fraction
-from itertools import product
-from math import prod
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.conditions import are_never_zero, unsigned
+from dhgen.derivation.notation.matrices import expanded
 from dhgen.derivation.text.formula import (
     ZERO,
     Minus,
     Power,
     Relation,
+    Symbol,
     factors_of,
-    number,
     times,
 )
-from dhgen.derivation.velocity.posture import Posture, exact_value
-from dhgen.robot.task import Directions
+from dhgen.derivation.velocity.task_rows import ways_to_see
+from dhgen.kinematics.ring import primitive
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
+    from collections.abc import Iterable, Sequence
 
     from dhgen.derivation.step_context import Singularity
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.formula import Formula
-    from dhgen.derivation.velocity.posture import Real
+    from dhgen.derivation.velocity.columns import Vector
+    from dhgen.derivation.velocity.task_rows import Rows, Seen
+    from dhgen.kinematics.algebra import Algebra
+    from dhgen.kinematics.constants import Polynomial
 
-PRIME = 2**127 - 801  # leaves 23 when it is divided by 24: 2 and 3 have square roots
-POWERS = 3  # exponents of factors are below this
-SIMPLE = 64  # a number that may come before a product
-MOST_ANGLES = 4  # cosines and sines of the arm's own, of which powers are tried
-# In the places of lengths, so that their powers can be read off a product.
-LENGTHS = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191)
+MOST_TERMS = 200  # of a determinant that is taken apart, and of the minors that it is made of
+FEW = 3  # rows whose minors stay as they are
+SMALL = 2 * FEW**3  # the effort of two such blocks, which are taken apart in every frame
+LONGEST = 20  # terms of a factor that still says something to a reader
+OF_VELOCITY = Symbol(r"\det J_v", "det Jᵥ")
+
+Powers = Counter["Polynomial"]
 
 
 @dataclass(frozen=True, slots=True)
 class Factor:
-    """A condition as a factor.
+    """What the determinant is a multiple of.
 
     Attributes:
-        formula: What vanishes.
+        formula: As it is printed.
         power: How often it is a factor.
         place: The first place where it is listed; None where no step has it as its condition.
+        written_out: The formula in the letters of the arm alone.
         is_never_zero: Whether the numbers of the arm keep it from vanishing.
     """
 
     formula: Formula
     power: int
     place: Singularity | None
+    written_out: Formula
     is_never_zero: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Columns of velocities, with a determinant that is too long to be written out.
+
+    Attributes:
+        frame: In which they are written.
+        centre: The frame of which the origin has these velocities.
+        columns: By the numbers of the joints that give them.
+    """
+
+    frame: int
+    centre: int
+    columns: tuple[tuple[int, Vector], ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,13 +84,18 @@ class Determinant:
 
     Attributes:
         constant: What does not move: a number and powers of lengths.
-        factors: The conditions.
+        factors: What does.
         rows: How many rows of the Jacobian are not zero, among those that the task names.
+        block: What the factor `OF_VELOCITY` is of.
+        elsewhere: A frame, and that with whose origin's velocity the rows are as many as the
+            columns, where with the tool's they are more; else None.
     """
 
     constant: Formula
     factors: tuple[Factor, ...]
     rows: int
+    block: Block | None = None
+    elsewhere: tuple[int, int] | None = None
 
     @property
     def formula(self) -> Formula:
@@ -85,174 +108,170 @@ def raised(formula: Formula, power: int) -> Formula:
     return formula if power == 1 else Power(formula, power)
 
 
-def determinant_of(story: Story, places: Sequence[Singularity]) -> Determinant | None:
-    """The determinant of a square task's Jacobian; None where the conditions don't make it up."""
-    chain = story.algebra.chain
-    if chain.arm_angle or any(each.apart for each in chain.passive):
-        return None  # coupled drives only add columns to others
-    source = random.Random(2)  # noqa: S311 - places, no secrets
-    names = [constant.name for constant in chain.constants if constant.is_length]
-    lengths = dict(zip(names, LENGTHS, strict=False))
-    if len(lengths) < len(names):
+@dataclass(frozen=True, slots=True)
+class _Parts:
+    """A determinant taken apart.
+
+    Attributes:
+        still: A monomial that does not move.
+        powers: How often polynomials are factors.
+        long: The columns of a block of velocities that stays a determinant.
+        elsewhere: The frame and that of the origin with the velocities, where it has to be these.
+    """
+
+    still: Polynomial
+    powers: Powers
+    long: tuple[int, ...]
+    elsewhere: tuple[int, int] | None = None
+
+    @property
+    def length(self) -> tuple[int, str]:
+        """How many terms all factors have; then by alphabet."""
+        return sum(map(len, self.powers)), str((self.still, *self.powers))
+
+
+def determinant_of(
+    story: Story, places: Sequence[Singularity] = (), *, by_position: bool = False
+) -> Determinant | None:
+    """A number and letters that do not move, times the factors; None where one fills pages.
+
+    Args:
+        story: The derivation.
+        places: What the table of singular configurations lists.
+        by_position: Whether the rows are those of the position alone.
+    """
+    parts = _shortest_parts(story, by_position=by_position)
+    if parts is None:
         return None
-    first = drawn(story, lengths, source)
-    named = _named_rows(first)
-    if len(named) != len(chain.solved) or not _is_yaw_plain(first):
-        return None
-    candidates = _candidates(places)
-    formulas = [formula for formula, _ in candidates]
-    compared = [_values(drawn(story, first.constants, source), named, formulas) for _ in range(3)]
-    powers = _powers(compared)
-    if powers is None:
-        return None
-    left = _quotient(*_values(first, named, formulas), powers)
-    constant = _monomial(left, lengths, _angles(first))
-    others = {name: source.randrange(1, PRIME) for name in lengths}
-    other = drawn(story, others, source)
-    again = _quotient(*_values(other, named, formulas), powers)
-    if constant is None or again != _at(constant, other.constants):
-        return None
-    found = zip(candidates, powers, strict=True)
-    factors = tuple(Factor(formula, p, place) for (formula, place), p in found if p)
-    return Determinant(_written(story, *constant), factors, len(named))
+    constant, factors = written(story, places, parts.still, parts.powers)
+    block = _shortest_block(story, parts.long) if parts.long else None
+    return Determinant(constant, factors, len(story.algebra.chain.solved), block, parts.elsewhere)
 
 
-def drawn(story: Story, known: Mapping[str, Real], source: random.Random) -> Posture:
-    """A random posture of an arm of which some constants are known, the lengths among them."""
-    turns: dict[int, tuple[int, int]] = {}
-    slides: dict[int, int] = {}
-    for joint in story.algebra.chain.joints:
-        if joint.number in story.algebra.slides:
-            slides[joint.number] = source.randrange(2, PRIME - 1)
-        else:
-            turns[joint.number] = _turn(source)
-    constants = dict(known)
-    for constant in story.algebra.chain.constants:
-        if constant.square is not None:
-            constants.setdefault(constant.name, _root(constant.square))
-        elif constant.cosine is not None and constant.name not in constants:
-            constants[constant.cosine], constants[constant.name] = _turn(source)
-    return Posture(story, turns, slides, constants)
+def written(
+    story: Story, places: Sequence[Singularity], still: Polynomial, powers: Powers
+) -> tuple[Formula, tuple[Factor, ...]]:
+    """A monomial that does not move and factors of a determinant as they are printed."""
+    algebra, constants, moving = story.algebra, [], []
+    for form, power in powers.items():
+        forward = story.write_forward(form)
+        if algebra.is_constant(form):
+            constants.append(raised(forward, power))
+            continue
+        never = are_never_zero(algebra, form)
+        if len(form) > LONGEST:
+            moving.append(Factor(OF_VELOCITY, power, None, forward, never))
+            continue
+        shown = unsigned(story, form)
+        if power % 2 and shown != forward:
+            still = -still
+        moving.append(Factor(shown, power, _place_of(shown, places), shown, never))
+    return times(story.write_forward(still), *constants), tuple(moving)
 
 
-def _turn(source: random.Random) -> tuple[int, int]:
-    """A random cosine and its sine: (1 - t^2) / (1 + t^2) and 2 t / (1 + t^2)."""
-    t = source.randrange(2, PRIME - 1)
-    below = pow(1 + t * t, -1, PRIME)
-    return (1 - t * t) * below % PRIME, 2 * t * below % PRIME
-
-
-def _root(square: Fraction) -> int:
-    """A square root of 2 or of 3."""
-    return pow(_reduced(square), (PRIME + 1) // 4, PRIME)
-
-
-def _is_yaw_plain(posture: Posture) -> bool:
-    """Whether the tool's x axis is always level, where the task names the yaw."""
-    if posture.story.algebra.chain.task.directions is not Directions.YAW:
-        return True
-    tool = posture.frames()[0][-1]
-    return not _reduced(tool[2][0])
-
-
-def _angles(posture: Posture) -> dict[str, int]:
-    """The cosines and sines of the arm's own angles."""
-    chain = posture.story.algebra.chain
-    names = [c.name for c in chain.constants if not c.is_length and c.square is None]
-    return {name: _reduced(posture.constants[name]) for name in names}
-
-
-def _named_rows(posture: Posture) -> list[int]:
-    """The rows of the Jacobian that are not zero for every posture."""
-    return [place for place, row in enumerate(posture.jacobian()) if any(map(_reduced, row))]
-
-
-def _candidates(places: Sequence[Singularity]) -> list[tuple[Formula, Singularity]]:
-    """Conditions that are one formula in joints, each once."""
-    found: dict[Formula, Singularity] = {}
+def _place_of(factor: Formula, places: Iterable[Singularity]) -> Singularity | None:
+    """The first place whose condition in joints has a factor."""
     for place in places:
         joints = place.joints
         if isinstance(joints, Relation) and len(joints.sides) == 2 and joints.sides[1] == ZERO:
-            for factor in factors_of(_unsigned(joints.sides[0])):
-                found.setdefault(factor.base if isinstance(factor, Power) else factor, place)
-    return list(found.items())
-
-
-def _unsigned(formula: Formula) -> Formula:
-    return formula.operand if isinstance(formula, Minus) else formula
-
-
-def _values(posture: Posture, rows: list[int], formulas: list[Formula]) -> tuple[int, list[int]]:
-    """The determinant, and what every formula is worth."""
-    matrix, letters = posture.jacobian(), posture.letters()
-    values = [_reduced(exact_value(formula, letters)) for formula in formulas]
-    return _determinant([[_reduced(entry) for entry in matrix[row]] for row in rows]), values
-
-
-def _reduced(value: Real) -> int:
-    """A whole number or a fraction modulo the prime."""
-    exact = Fraction(value)
-    return exact.numerator * pow(exact.denominator, -1, PRIME) % PRIME
-
-
-def _determinant(rows: list[list[int]]) -> int:
-    """By elimination."""
-    left, total = rows, 1
-    for k in range(len(left)):
-        pivot = next((i for i in range(k, len(left)) if left[i][k]), None)
-        if pivot is None:
-            return 0
-        if pivot != k:
-            left[k], left[pivot], total = left[pivot], left[k], -total
-        total = total * left[k][k] % PRIME
-        back = pow(left[k][k], -1, PRIME)
-        for i in range(k + 1, len(left)):
-            factor = left[i][k] * back % PRIME
-            left[i] = [(a - factor * b) % PRIME for a, b in zip(left[i], left[k], strict=True)]
-    return total % PRIME
-
-
-def _powers(places: list[tuple[int, list[int]]]) -> tuple[int, ...] | None:
-    """The exponents with which the determinant is a constant times the product."""
-    if not all(value and all(forms) for value, forms in places):
-        return None
-    count = len(places[0][1])
-    for powers in sorted(product(range(POWERS), repeat=count), key=lambda each: (sum(each), each)):
-        if len({_quotient(*each, powers) for each in places}) == 1:
-            return powers
+            side = joints.sides[0]
+            factors = factors_of(side.operand if isinstance(side, Minus) else side)
+            if factor in {each.base if isinstance(each, Power) else each for each in factors}:
+                return place
     return None
 
 
-def _quotient(value: int, forms: list[int], powers: tuple[int, ...]) -> int:
-    below = prod(form**power for form, power in zip(forms, powers, strict=True))
-    return int(value * pow(below, -1, PRIME) % PRIME)
+@lru_cache(maxsize=8)
+def _shortest_parts(story: Story, *, by_position: bool) -> _Parts | None:
+    """In the frame in which they are shortest."""
+    ways, every = ways_to_see(story, by_position=by_position), []
+    for way in ways:
+        if way.triangle.effort > max(ways[0].triangle.effort, SMALL):
+            break
+        parts = _taken_apart(story.algebra, way)
+        if parts is not None:
+            every.append(parts)
+        elif way.triangle.effort > SMALL:
+            break
+    return min(every, key=lambda each: each.length, default=None)
 
 
-def _monomial(
-    value: int, lengths: Mapping[str, int], angles: Mapping[str, int]
-) -> tuple[int, dict[str, int]] | None:
-    """A value as a small whole number and powers of lengths, cosines and sines."""
-    if len(angles) > MOST_ANGLES:
-        return None
-    for powers in product(range(POWERS), repeat=len(angles)):
-        left = _quotient(value, list(angles.values()), powers)
-        scale = left if left < PRIME // 2 else left - PRIME
-        exponents = {**dict.fromkeys(lengths, 0), **dict(zip(angles, powers, strict=True))}
-        for name, length in lengths.items():
-            while scale % length == 0:
-                scale //= length
-                exponents[name] += 1
-        if abs(scale) <= SIMPLE:
-            return scale, exponents
-    return None
+def _taken_apart(algebra: Algebra, seen: Seen) -> _Parts | None:
+    """The factors of the blocks of a matrix; None where one is long and no block of velocities."""
+    still, powers = algebra.ring.ground_new(seen.triangle.sign), Powers()
+    long: tuple[int, ...] = ()
+    for rows, columns in seen.triangle.blocks:
+        block = tuple(tuple(seen.rows[row][column] for column in columns) for row in rows)
+        size = determinant(algebra, block)
+        if not size:
+            return None
+        scale, found = factors_with_powers(algebra, size)
+        if any(len(form) > LONGEST for form in found):
+            if long or not seen.are_velocities(rows):
+                return None
+            long, scale, found = columns, algebra.ring.one, Powers({algebra.normal(size): 1})
+        still *= scale
+        powers += found
+    return _Parts(still, powers, long, None if seen.is_of_poses else (seen.frame, seen.centre))
 
 
-def _at(constant: tuple[int, dict[str, int]], constants: Mapping[str, Real]) -> int:
-    scale, exponents = constant
-    powers = (_reduced(constants[name]) ** power for name, power in exponents.items())
-    return int(scale * prod(powers) % PRIME)
+def factors_with_powers(algebra: Algebra, size: Polynomial) -> tuple[Polynomial, Powers]:
+    """A monomial that does not move, and the other factors."""
+    scale, factors = size.factor_list()
+    still, others = algebra.ring.ground_new(scale), Powers()
+    for factor, power in factors:
+        forms = (algebra.normal(factor), algebra.normal(expanded(algebra, factor)))
+        number_, form = primitive(min(forms, key=len))
+        still *= number_**power
+        if len(form) == 1 and algebra.is_constant(form):
+            still *= form**power
+        else:
+            others[form] += power
+    for each in algebra.chain.constants:
+        if each.cosine is not None:  # c^2 - 1
+            ends = [algebra.generator(each.cosine) + one for one in (1, -1)]
+            power = min(others[end] for end in ends)
+            still *= (-(algebra.generator(each.name) ** 2)) ** power
+            others -= Powers(dict.fromkeys(ends, power))
+    return still, others
 
 
-def _written(story: Story, scale: int, exponents: Mapping[str, int]) -> Formula:
-    letters = [(story.letters[name], power) for name, power in exponents.items() if power]
-    return times(number(scale), *(raised(each, p) for each, p in letters))
+def _shortest_block(story: Story, columns: tuple[int, ...]) -> Block:
+    """The velocities of some joints, written in the frame in which they are shortest."""
+    found = []
+    for seen in ways_to_see(story):
+        rows = tuple(range(len(columns)))
+        if seen.frame < 0 or (rows, columns) not in seen.triangle.blocks:
+            continue
+        vectors = [tuple(seen.rows[row][column] for row in rows) for column in columns]
+        found.append((sum(len(entry) for each in vectors for entry in each), seen, vectors))
+    _, seen, vectors = min(found, key=lambda each: (each[0], each[1].frame, each[1].centre))
+    joints = [story.algebra.chain.solved[column].number for column in columns]
+    return Block(seen.frame, seen.centre, tuple(zip(joints, vectors, strict=True)))
+
+
+def determinant(algebra: Algebra, rows: Rows) -> Polynomial | None:
+    """By minors, rows with most zeros first; None where one has too many terms."""
+    count = len(rows)
+    order = sorted(range(count), key=lambda row: sum(map(bool, rows[row])))
+    turned = sum(order[i] > order[j] for j in range(count) for i in range(j))
+
+    @cache
+    def minor(left: tuple[int, ...]) -> Polynomial | None:
+        """Of the last rows, in these columns."""
+        if not left:
+            return algebra.ring.one
+        total = algebra.ring.zero
+        for place, column in enumerate(left):
+            entry = rows[order[count - len(left)]][column]
+            if entry:
+                below = minor(left[:place] + left[place + 1 :])
+                if below is None:
+                    return None
+                total += (-1) ** place * entry * below
+        if count > FEW:
+            total = algebra.normal(total)
+        return None if len(total) > MOST_TERMS else total
+
+    size = minor(tuple(range(count)))
+    return None if size is None else (-1) ** turned * size

@@ -40,6 +40,7 @@ NEAR = 1e-6  # what is zero, of singular values, unit vectors and of lengths in 
 
 # Joint values, angles as the formulas have them.
 Values = dict[int, float]
+Elsewhere = tuple[int, int] | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,17 +68,21 @@ class _Wrench:
         return self.moment + np.cross(arm, self.force)
 
 
-def lost_motion(story: Story, factor: Formula, others: Sequence[Formula]) -> Prose | None:
+def lost_motion(
+    story: Story, factor: Formula, others: Sequence[Formula], elsewhere: Elsewhere = None
+) -> Prose | None:
     """The motion that is lost where a formula vanishes; None where it has no short name.
 
     Args:
         story: The arm.
         factor: A factor of the determinant.
         others: The other factors, which do not vanish there.
+        elsewhere: A frame, and that of which the origin's velocity counts; None for the tool's.
     """
-    wrenches = [wrench for (wrench,) in _wrenches(story, factor, others, 1)]
+    wrenches = [wrench for (wrench,) in _wrenches(story, factor, others, elsewhere, 1)]
     if len(wrenches) < POSTURES:
-        return _lost_velocities(story, list(_wrenches(story, factor, others, 2)))
+        pairs = _wrenches(story, factor, others, elsewhere, 2)
+        return _lost_velocities(story, list(pairs))
     if all(np.linalg.norm(each.force) < NEAR for each in wrenches):
         axis = _axis(story, wrenches, lambda each: each.moment)
         return None if axis is None else say("turning about {}", axis)
@@ -100,13 +105,13 @@ def _lost_turning(story: Story, wrenches: list[_Wrench], points: list[int]) -> P
         axis = _axis(story, wrenches, lambda each, at=point: each.moment_about(at))  # type: ignore[misc]
         if axis is not None:
             text = "with {} at rest, turning about {}"
-            return say(text, _point_name(story, point), axis)
+            return say(text, point_name(story, point), axis)
     return None
 
 
 def _lost_velocity(story: Story, wrenches: list[_Wrench], point: int) -> Prose | None:
     """The velocity that a force through a frame's origin resists."""
-    named = _point_name(story, point)
+    named = point_name(story, point)
     axis = _axis(story, wrenches, _force)
     if axis is not None:
         return say("the velocity of {} along {}", named, axis)
@@ -130,7 +135,7 @@ def _lost_velocities(story: Story, pairs: list[tuple[_Wrench, ...]]) -> Prose | 
     left = _axis(story, across, _force, "z") or _axis(story, across, _force)
     if point is None or left is None:
         return None
-    return say("every velocity of {} but along {}", _point_name(story, point), left)
+    return say("every velocity of {} but along {}", point_name(story, point), left)
 
 
 def _force(wrench: _Wrench) -> FloatArray:
@@ -155,11 +160,11 @@ def _is_force_at(wrench: _Wrench, frame: int) -> bool:
 
 
 def _wrenches(
-    story: Story, factor: Formula, others: Sequence[Formula], count: int
+    story: Story, factor: Formula, others: Sequence[Formula], elsewhere: Elsewhere, count: int
 ) -> Iterator[tuple[_Wrench, ...]]:
-    """The wrenches of some postures where the formula vanishes and `count` motions are lost."""
+    """Those of some postures where the formula vanishes, and so many motions are lost by it."""
     source = random.Random(3)  # noqa: S311 - postures, no secrets
-    given, named = _given_values(story, source), _named_rows(story)
+    given, named = _given_values(story, source), _named_rows(story, elsewhere)
     found = 0
     for _ in range(TRIES):
         values = _singular_values_of_joints(story, factor, given, source)
@@ -168,7 +173,7 @@ def _wrenches(
         letters = _posture(story, values).letters()
         if any(abs(float(exact_value(other, letters))) < NEAR for other in others):
             continue  # as those of a folded arm with links of one length do
-        lost = _lost(story, values, named)
+        lost = _lost(story, values, named, elsewhere)
         if len(lost) == count:
             yield lost
             found += 1
@@ -197,7 +202,7 @@ def _given_values(story: Story, source: random.Random) -> Values:
 def _singular_values_of_joints(
     story: Story, factor: Formula, given: Values, source: random.Random
 ) -> Values | None:
-    """Random values of all joints, the given ones too, but one, which makes the formula zero."""
+    """Random values of all joints but one, which makes the formula zero, and of those given."""
     reach = _reach(story)
     values = {j: source.uniform(-most, most) for j, most in reach.items()} | given
 
@@ -229,29 +234,37 @@ def _bisected(function: Callable[[float], float], low: float, high: float) -> fl
     return 0.5 * (low + high)
 
 
-def _named_rows(story: Story) -> NDArray[np.intp]:
-    """The rows of the Jacobian that are not zero for every posture, as a plane's z is."""
+def _named_rows(story: Story, elsewhere: Elsewhere) -> NDArray[np.intp]:
+    """The rows of the Jacobian that are not zero for every posture, as those of a plane's z are."""
     source = random.Random(4)  # noqa: S311 - a posture, no secret
     values = {j: source.uniform(-most, most) for j, most in _reach(story).items()}
-    return np.flatnonzero(np.abs(_jacobian(story, values)).max(axis=1) > NEAR)
+    return np.flatnonzero(np.abs(_jacobian(story, values, elsewhere)).max(axis=1) > NEAR)
 
 
-def _jacobian(story: Story, values: Values) -> FloatArray:
-    """The Jacobian, lengths in arm sizes."""
-    chain = story.algebra.chain
-    J = np.array(_posture(story, values).jacobian(), float)
+def _jacobian(story: Story, values: Values, elsewhere: Elsewhere) -> FloatArray:
+    """The Jacobian, perhaps seen from a frame for the velocity of one's origin, in arm sizes."""
+    chain, posture = story.algebra.chain, _posture(story, values)
+    J = np.array(posture.jacobian(), float)
+    if elsewhere is not None:  # the whole pose is asked for
+        frames = np.array(posture.frames()[0], float)
+        frame, centre = elsewhere
+        J[:3] += np.cross(J[3:].T, (frames[centre] - frames[-1])[:, 3]).T
+        J = np.vstack([frames[frame][:, :3].T @ J[:3], frames[frame][:, :3].T @ J[3:]])
     J *= [1.0 if chain.turning[joint.number - 1] else chain.size for joint in chain.solved]
     J[: len(chain.task.position_rows)] /= chain.size
     return J
 
 
-def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrench, ...]:
+def _lost(
+    story: Story, values: Values, named: NDArray[np.intp], elsewhere: Elsewhere
+) -> tuple[_Wrench, ...]:
     """What does no work, each at right angles to the others; none where that is in doubt.
 
     Args:
         story: The arm.
         values: Its joints.
-        named: The rows of the Jacobian that the task names.
+        named: The rows of the Jacobian that the task asks for.
+        elsewhere: A frame, and that of which the origin's velocity counts.
     """
     chain = story.algebra.chain
     own = _posture(story, values).frames()[0]
@@ -259,7 +272,7 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
     frames = np.array(own, float)
     frames[..., 3] /= chain.size
     rows = len(chain.task.position_rows)
-    J = _jacobian(story, values)
+    J = _jacobian(story, values, elsewhere)
     U, s, _ = np.linalg.svd(J[named])
     if np.any((s > NEAR) & (s < CLEAR)):
         return ()
@@ -271,6 +284,10 @@ def _lost(story: Story, values: Values, named: NDArray[np.intp]) -> tuple[_Wrenc
         force[list(chain.task.position_rows)] = whole[:rows]
         if directions:
             moment = np.array(directions, float).T @ whole[rows:]
+        if elsewhere is not None:
+            turned = frames[elsewhere[0]][:, :3]
+            force, moment = turned @ force, turned @ moment
+            moment += np.cross(frames[elsewhere[1]][:, 3] - frames[-1][:, 3], force)
         found.append(_Wrench(force, moment, frames))
     return tuple(found)
 
@@ -281,7 +298,7 @@ def _axis(
     vector: Callable[[_Wrench], FloatArray],
     names: str = "xyz",
 ) -> Formula | None:
-    """The first axis of a frame, among given names, that vectors are along everywhere."""
+    """The first axis of a frame, of those with given names, that vectors are along everywhere."""
     for frame in range(story.dof + 1):
         for name in names:
             column = "xyz".index(name)
@@ -320,7 +337,7 @@ def _wrist_frames(story: Story) -> frozenset[int]:
     return frozenset(np.flatnonzero(held).tolist())
 
 
-def _point_name(story: Story, frame: int) -> Prose:
+def point_name(story: Story, frame: int) -> Prose:
     """What the origin of a frame is called; the last is the tool's."""
     if frame in _wrist_frames(story):
         return say("the wrist centre")

@@ -10,7 +10,7 @@ from math import prod
 from operator import add
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.text.formula import Minus, Number, Power, Product, Sum, Symbol
+from dhgen.derivation.text.formula import Minus, Number, Power, Product, Quotient, Sum, Symbol
 from dhgen.kinematics.chain import Fixed, Passive, Turn
 from dhgen.kinematics.product import product
 from dhgen.robot.task import Directions
@@ -180,8 +180,8 @@ def level_axis(story: Story) -> int | None:
 def spins_that_count(story: Story, frames: list[Rows]) -> list[Vector]:
     """What the task names of an angular velocity is its product with these vectors.
 
-    The spin of the yaw is for tools whose x axis is always level, the pitch's for tools with a
-    `level_axis`. Of roll and pitch together nothing is given.
+    That of the yaw is for tools whose x axis stays level, that of the pitch for those with a
+    `level_axis`.
 
     Args:
         story: The arm.
@@ -193,6 +193,8 @@ def spins_that_count(story: Story, frames: list[Rows]) -> list[Vector]:
             return [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
         case Directions.POINTING:
             return [[row[column] for row in tool] for column in (0, 1)]
+        case Directions.TILT:
+            return [[1, 0, 0], [0, 1, 0]]
         case Directions.YAW:
             return [[0, 0, 1]]
         case Directions.PITCH if (frame := level_axis(story)) is not None:
@@ -230,6 +232,8 @@ def exact_value(formula: Formula, letters: Mapping[str, Real]) -> Real:
             return sum(exact_value(term, letters) for term in terms)
         case Product(factors):
             return prod(exact_value(factor, letters) for factor in factors)
+        case Quotient(over, under):
+            return exact_value(over, letters) / exact_value(under, letters)
         case Power(base, exponent) if exponent > 0:
             return exact_value(base, letters) ** exponent
     raise KeyError(formula)

@@ -6,18 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.matrices import expanded
-from dhgen.kinematics.chain import Fixed, Slide, Turn
-from dhgen.kinematics.product import product, reversed_elements
+from dhgen.derivation.velocity.columns import crossed, view_from
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from dhgen.derivation.story import Story
     from dhgen.kinematics.algebra import Algebra
-    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
-    from dhgen.kinematics.transform import Transform
 
 ARM = 3  # joints before the wrist, and the frame in which the blocks are shortest
 CENTRES = (4, 5, 6)  # frames of which one has its origin there, as a rule the first
@@ -50,68 +45,16 @@ def wrist_blocks(story: Story) -> WristBlocks | None:
     if chain.dof != 2 * ARM or story.wrist is None or chain.given or not (plain and poses):
         return None
     for centre in CENTRES:
-        columns = list(velocity_columns(story.algebra, ARM, centre, 2 * ARM))
+        columns = view_from(story, ARM).columns(centre)
         if not any(entry for moved, _ in columns[ARM:] for entry in moved):
             (first, *others), spins = zip(*columns, strict=True)
-            moved = tuple(_shortest(story.algebra, centre, entry) for entry in first), *others
+            moved = tuple(_shortest(story, centre, entry) for entry in first), *others
             return WristBlocks(_turned(moved[:ARM]), _turned(spins[:ARM]), _turned(spins[ARM:]))
     return None
 
 
 def _turned(columns: tuple[Vector, ...]) -> Block:
     return tuple(zip(*columns, strict=True))
-
-
-def velocity_columns(
-    algebra: Algebra, frame: int, centre: int | None, last: int
-) -> Iterator[tuple[Vector, Vector]]:
-    """What joints give a point of velocity, and the angular velocity, in a frame.
-
-    Args:
-        algebra: The arm's ring.
-        frame: In which the columns are written.
-        centre: The frame of which the point is the origin; None for the tool.
-        last: The last joint that is asked.
-    """
-    chain = algebra.chain
-    elements: list[Element] = [e for link in chain.links for e in algebra.lifted(link)]
-    ends = [0]
-    for link in chain.links:
-        ends.append(ends[-1] + len(link))
-    elements.append(Fixed(algebra.lift(chain.tool)))
-    end = len(elements) if centre is None else ends[centre]
-    point = between(algebra, elements, ends[frame], end).translation
-    still = (algebra.ring.zero,) * 3
-    for place, element in enumerate(elements):
-        if not isinstance(element, Turn | Slide) or element.joint > last:
-            continue
-        sign = element.sign * chain.joints[element.joint - 1].sign
-        at = between(algebra, elements, ends[frame], place)
-        axis = tuple(sign * entry for entry in at.column(2))
-        if isinstance(element, Slide):
-            yield axis, still
-            continue
-        arm = tuple(a - b for a, b in zip(point, at.translation, strict=True))
-        yield crossed(algebra, axis, arm), axis
-
-
-def approach(algebra: Algebra, frame: int) -> Vector:
-    """The tool's z axis in a frame."""
-    links = algebra.chain.links
-    behind: list[Element] = [e for link in links[frame:] for e in algebra.lifted(link)]
-    return product([*behind, Fixed(algebra.lift(algebra.chain.tool))], algebra).column(2)
-
-
-def between(algebra: Algebra, elements: list[Element], start: int, end: int) -> Transform:
-    """The frame before one element seen from that before another."""
-    if start <= end:
-        return product(elements[start:end], algebra)
-    return product(reversed_elements(elements[end:start], algebra), algebra)
-
-
-def crossed(algebra: Algebra, a: Vector, b: Vector) -> Vector:
-    """The vector product."""
-    return tuple(algebra.normal(a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2]) for i in range(3))
 
 
 def adjugate(algebra: Algebra, block: Block) -> Block:
@@ -135,11 +78,11 @@ class ArmRows:
 
     Attributes:
         alone: That row, from 0.
-        lever: Its entry.
+        lever: What stands in it.
         rest: The two others, from 0.
         first: Of these the column of joint 1.
-        inverse: Of these the columns of joints 2 and 3, inverted: for each of the two joints the
-        numerators and, last, the denominator.
+        inverse: Of these the columns of joints 2 and 3, inverted: for each of the two joints what
+            stands above and, last, below the fraction.
     """
 
     alone: int
@@ -181,11 +124,12 @@ def _reduced(*forms: Polynomial) -> Vector:
     )
 
 
-def _shortest(algebra: Algebra, centre: int, entry: Polynomial) -> Polynomial:
-    """The entry, or what another frame has for it if that is shorter."""
+def _shortest(story: Story, centre: int, entry: Polynomial) -> Polynomial:
+    """The same as the entry, as another frame has it if that is shorter."""
+    algebra = story.algebra
     value, found = expanded(algebra, entry), entry
     for frame in (1, 2):
-        moved, _ = next(velocity_columns(algebra, frame, centre, 1))
+        moved, _ = view_from(story, frame).columns(centre)[0]
         for each in (each for other in moved for each in (other, -other)):
             if len(each) < len(found) and expanded(algebra, each) == value:
                 found = each
