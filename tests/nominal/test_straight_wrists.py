@@ -62,7 +62,7 @@ def test_fleets_have_all_solutions(row: int, column: int, by: float, folder: Pat
         FleetArm(made, kind(name), table)
         for made in (compiled(folder, name), compiled(folder, name, "-DPUMA560_FLEET_PLAIN"))
     )
-    assert arm.said == plain.said == TAKEN
+    assert arm.fault == plain.fault == TAKEN
     T = poses_of(kind(name), table, q)
     rows, status = arm.batch(T)
     assert_alike((rows, status), plain.batch(T))
