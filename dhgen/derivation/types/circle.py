@@ -23,6 +23,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.derivation.text.template import blocks_of
+from dhgen.derivation.types.lost_equation import lost_where
 from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
@@ -68,7 +69,7 @@ def print_circle(context: StepContext) -> StepText:
     blocks.append(paragraph(text, met.condition, met.meaning, also, met.effect))
     free = Singularity(
         context.number,
-        say("all coefficients of the equation vanish at once"),
+        _vanishing(context),
         None,
         say(nothing_said(context), theta(kept)),
         free_effect(context),
@@ -77,6 +78,24 @@ def print_circle(context: StepContext) -> StepText:
     text = "Degenerate when {}: {}. Then {}."
     blocks.append(paragraph(text, free.condition, free.meaning, free.effect))
     return StepText(tuple(blocks), (met, free))
+
+
+def _vanishing(context: StepContext) -> Prose:
+    """Where the equation says nothing, and an example of it where that has a name."""
+    names = [f"{x}{n}" for n in "12" for x in "PQR"]
+    parts = [context.polynomial(name + part) for name in names for part in "cs"]
+    (joint, _), *others = context.angle.terms
+    where = None
+    if not (others or context.step.has("V1x")):
+        rest = [context.polynomial(name) for name in names]
+        where = lost_where(context.story, joint, [each for each in parts if each], rest)
+    if where is None:
+        return say("all coefficients of the equation vanish at once")
+    return say(
+        "all coefficients of the equation vanish at once, for instance where {} in a pose that can "
+        "be reached",
+        where,
+    )
 
 
 def _met(context: StepContext) -> Singularity:
