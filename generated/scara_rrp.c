@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from:
  * scara_rrp.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 47412c2065f59d10
+ * dhgen 0.1.0; SHA-256 of the robot file: 423d622356a1ce9c
  * SPDX-License-Identifier: MIT
  */
 #include "scara_rrp.h"

@@ -50,7 +50,7 @@ if TYPE_CHECKING:
     from dhgen.robot.robot import Robot
 
 
-COURSE_TEXT = re.compile(r"document (\d{3})\b")
+COURSE_TEXT = re.compile(r"[Dd]ocument (\d{3})\b")
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ import numpy as np
 from dhgen.derivation.notation.names import joint_symbol, single, theta
 from dhgen.derivation.steps import leaves_a_joint_free
 from dhgen.derivation.text.blocks import Heading, joined, paragraph, say
-from dhgen.derivation.text.formula import Listing, Symbol, add, minus
+from dhgen.derivation.text.formula import Listing, Symbol, add, minus, subtract
 from dhgen.derivation.values import figures
 from dhgen.kinematics.turns import coupled_turns
 
@@ -83,7 +83,7 @@ def _shortest(story: Story, which: str) -> list[Block]:
     units = f", {' and '.join(angles + lengths)}"
     size = [] if all(chain.turning) else [figures(chain.size)]
     unit = f" {story.robot.length_unit}" if size else ""
-    choice = "Document 002 ends with the choice of" if story.cites_courses else "One may choose"
+    choice = "Document 002 chooses" if story.cites_courses else "One may choose"
     blocks: list[Block] = [
         paragraph(
             f"{choice} the row that the arm reaches by the shortest motion from where it stands, "
@@ -134,24 +134,34 @@ def _flipped(story: Story) -> list[Block]:
     if story.wrist is None or not any("flip" in axis.meaning for axis in story.program.axes):
         return []
     first, middle, last = story.wrist
-    algebra = story.algebra
-    rotation = story.derivation.problem.spans.product(first - 1, last).rotation
-    turned = {f"{kind}{joint}" for joint in (first, last) for kind in "cs"} | {f"s{middle}"}
-    places = [algebra.ring.gens.index(each) for each in map(algebra.generator, sorted(turned))]
-    odd = (
-        sum(monomial[place] for place in places) % 2
-        for row in rotation
-        for entry in row
-        for monomial in entry
-    )
-    if any(odd):
-        return []
+    outside = {f"{kind}{joint}" for joint in (first, last) for kind in "cs"}
     one, half, other = (theta(single(joint)) for joint in story.wrist)
+    if _is_even(story, outside | {f"s{middle}"}):
+        middle_turned = minus(half)
+    elif _is_even(story, outside | {f"c{middle}"}):
+        middle_turned = subtract(HALF, half)
+    else:
+        return []
     return [
         paragraph(
             "Rows that differ in noflip and flip alone hold the two ways to turn the wrist: where "
             "one has {}, the other has {}, up to whole turns.",
             Listing((one, half, other)),
-            Listing((add(one, HALF), minus(half), add(other, HALF))),
+            Listing((add(one, HALF), middle_turned, add(other, HALF))),
         )
     ]
+
+
+def _is_even(story: Story, turned: set[str]) -> bool:
+    """Whether the wrist's rotation stays as it is where these cosines and sines change signs."""
+    assert story.wrist is not None
+    first, _, last = story.wrist
+    algebra = story.algebra
+    rotation = story.derivation.problem.spans.product(first - 1, last).rotation
+    places = [algebra.ring.gens.index(each) for each in map(algebra.generator, sorted(turned))]
+    return not any(
+        sum(monomial[place] for place in places) % 2
+        for row in rotation
+        for entry in row
+        for monomial in entry
+    )

@@ -58,6 +58,11 @@ _AXES_TEXT = (
     "to frame {}."
 )
 
+MOTION_ABOUT_AXIS = Symbol(
+    r"K_i = \begin{bmatrix} R_i & p_i - R_i p_i \\ 0 & 1 \end{bmatrix}",
+    "Kᵢ = [Rᵢ, pᵢ − Rᵢ pᵢ; 0, 1]",
+)
+
 
 def table_blocks(story: Story) -> list[Block]:
     """The Denavit-Hartenberg table and its convention."""
@@ -131,9 +136,12 @@ def _of_document_001(story: Story) -> list[Block]:
     return [
         paragraph(
             "Let {} be the motion of joint {} about, or along, its axis where it is in the "
-            f"reference position. Together the joints move the hand by {{}}{_cited(story)}:",
+            "reference position; of a joint that turns, {} with a point {} of the axis. "
+            f"Together the joints move the hand by {{}}{_cited(story)}:",
             Symbol("K_i", "Kᵢ"),
             _I,
+            MOTION_ABOUT_AXIS,
+            Symbol("p_i", "pᵢ"),
             moved,
         ),
         *side_by_side(_motions_about_axes(story)),

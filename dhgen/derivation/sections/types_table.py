@@ -62,6 +62,11 @@ TYPE_8 = (
     Symbol("B_1 = X + Y c_j", "B₁ = X + Y cⱼ"),
     Symbol("B_2 = Y s_j", "B₂ = Y sⱼ"),
 )
+TYPE_8_BY_TYPE_2 = Symbol(
+    r"\theta_i = \mathrm{atan2}(B_1, B_2) - "
+    r"\mathrm{atan2}(Z_1, \pm\sqrt{B_1^2 + B_2^2 - Z_1^2})",
+    "θᵢ = atan2(B₁, B₂) − atan2(Z₁, ±√(B₁² + B₂² − Z₁²))",
+)
 TYPE_8_BY_HALF_ANGLE = Symbol(
     r"\theta_j = \pm 2\,\mathrm{atan2}(\sqrt{(X + Y)^2 - Z_1^2 - Z_2^2}, "
     r"\sqrt{Z_1^2 + Z_2^2 - (X - Y)^2})",
@@ -177,8 +182,10 @@ def _two_links_in_the_course(story: Story) -> list[Block]:
     return [
         paragraph(
             "Document 002 takes {} from the first equation alone, of type 2, with a sign of its "
-            "own; of the two values the second equation leaves one. For {} and {} positive it has",
+            "own: {}. Of the two values the second equation leaves one. For {} and {} positive it "
+            "has",
             Symbol(r"\theta_i", "θᵢ"),
+            TYPE_8_BY_TYPE_2,
             Symbol("X", "X"),
             Symbol("Y", "Y"),
         ),
