@@ -379,7 +379,10 @@ def test_why_the_squares_hold_one_angle_is_said() -> None:
 
 def test_where_all_coefficients_vanish_is_said_in_words() -> None:
     of = story("cuspidal_3r")
-    told = "all coefficients of the equation vanish at once"
+    told = (
+        "all coefficients of the equation vanish at once, for instance where the tool's origin "
+        "lies on axis 1 in a pose that can be reached"
+    )
     assert f"\nDegenerate when {told}: every $" in document("cuspidal_3r")
     assert f"| {told} | no short form | every $" in document("cuspidal_3r")
     summary = derivation_summary(of)
