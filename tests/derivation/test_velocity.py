@@ -423,6 +423,8 @@ def lost_part(name: str, lost: str, q: FloatArray) -> float:
 # In the first ones more than one motion is lost, one that is along no axis, those of an arm with a
 # joint that is given, and one in a direction of the base, whose row of the Jacobian is zero then.
 FIRST = {"spherical", "staubli_tx2_90", "franka_panda", "rpr"}
+# Where axes in the middle of the arm are parallel or meet, a force with a moment along it is left.
+UNNAMED = {"concurrent_345", "parallel_123"}
 LOST = sorted(NAMES, key=lambda name: name not in FIRST)
 
 
@@ -431,7 +433,9 @@ def test_what_is_lost_is_lost(name: str) -> None:
     of, text = arm(name), section(name)
     listed = ROW.findall(text)
     for latex, lost in listed:
-        assert lost != "no short name"
+        if lost == "no short name":
+            assert name in UNNAMED
+            continue
         if lost == NEVER:
             assert all(singular(of, text, latex, seed) is None for seed in range(5))
             continue
@@ -441,7 +445,10 @@ def test_what_is_lost_is_lost(name: str) -> None:
             if q is None:
                 continue
             J = of.rates(q, text)
-            s = np.zeros(J.shape[1])  # rows of zeros are not among its rows
+            if of.robot.arm_angle and "tool at rest" not in lost:
+                J = J[:-1]  # a stretched arm has its elbow on no side
+            # rows of zeros are not among its rows
+            s = np.zeros(len(J) if of.robot.arm_angle else J.shape[1])
             s[: len(J)] = np.linalg.svd(J, compute_uv=False)
             assert s[-1] < 1e-9 * s[0]
             # where two factors vanish at once (links of one length, folded), others are lost
