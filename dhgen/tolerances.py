@@ -28,7 +28,7 @@ class Tolerances:
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
         led: `reach` where rows are tightened: an angle before the boundary may be good to few
-        digits, and steps decide what is a solution. It lets the arm be as far out of reach.
+            digits, and steps decide what is a solution. It lets the arm be as far out of reach.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: `merge` where an angle before them is good to few digits only.
@@ -63,7 +63,7 @@ class Tolerances:
             missed by so much more at most. Not above `merge`: where two branches are distinct, the
             one beyond the limit must not be taken for the other.
         distinct: Two rows closer than this are one solution [rad or length]. About the square root
-        of `merge`, because merging branches separate like a square root.
+            of `merge`, because merging branches separate like a square root.
         far: An angle of the seed that is not below this has no copy of another near to it that
             keeps its digits: it is not moved there.
         polished: A candidate that was polished on the whole pose is a solution if it misses that

@@ -42,7 +42,7 @@ class WholeExample:
         loop: The angles and lengths of the loop's joints in the followed row, (6,).
         followed: The row that is worked through.
         coefficients: a_0 ... a_8, b_1 ... b_8 of the polynomial in the joint's angle, or in the
-        angle that represents its length, over the largest, (17,).
+            angle that represents its length, over the largest, (17,).
         roots: Its real roots, ascending in (-pi, pi].
         taken: Place of the root from which the row comes.
     """

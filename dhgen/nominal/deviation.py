@@ -28,10 +28,9 @@ class Deviation:
     Attributes:
         angle: The most that it is turned [rad].
         length: The most that its origin is moved.
-        margin: What poses that may be near the end of a branch are told by, in parts of these. Two
-            of a branch's solutions may be real ones beside its end, before that is as near as the
-            bounds say: as far as they are what two links side by side differ by, which join the
-            three axes that a wrist, or parallel axes, are made of.
+        margin: Factor, 1 or more, by which these bounds are enlarged for poses near the end of a
+            branch: there a branch may have three solutions, not one, within about what two
+            neighbouring links differ by, which join the three axes of a wrist, or parallel ones.
     """
 
     angle: float
@@ -44,7 +43,7 @@ class Deviation:
         return _rounded_up(self.margin * self.angle), _rounded_up(self.margin * self.length)
 
 
-def most_deviation(arm: FloatArray, other: FloatArray) -> Deviation:
+def most_deviation(arm: FloatArray, other: FloatArray, size: float) -> Deviation:
     """A bound for all joint values: what each pair of constants differs by adds up.
 
     A rotation counts at the length of what is behind it.
@@ -52,12 +51,13 @@ def most_deviation(arm: FloatArray, other: FloatArray) -> Deviation:
     Args:
         arm: C0 ... Cn of C0 J(q1) C1 ... J(qn) Cn, (n + 1, 4, 4).
         other: The same of the other arm.
+        size: Of the arm.
     """
     angles, lengths = [], []
     for C, D, behind in zip(arm, other, lengths_behind(other).tolist(), strict=True):
         angles.append(_angle_between(C[:3, :3], D[:3, :3]))
         lengths.append(angles[-1] * behind + float(np.linalg.norm(C[:3, 3] - D[:3, 3])))
-    most = max(_most_side_by_side(angles), _most_side_by_side(lengths))
+    most = max(_most_side_by_side(angles), _most_side_by_side([each / size for each in lengths]))
     margin = max(1.0, round(MARGIN_SIDE_BY_SIDE * most, MARGIN_DIGITS))
     return Deviation(_rounded_up(sum(angles)), _rounded_up(sum(lengths)), margin)
 

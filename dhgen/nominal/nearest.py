@@ -25,8 +25,8 @@ if TYPE_CHECKING:
     from dhgen.nominal.lines import Neighbours
     from dhgen.nominal.table import Table
 
-# Of the distance of the arm without any small length: one that keeps one has to be nearer, or is
-# not tried. Errors in all numbers of a table are of many lengths.
+# An arm that keeps a small length is tried if it is nearer than this part of the distance of the
+# arm that keeps none. Where all numbers of a table have errors, keeping one length gains little.
 NEARER = 0.6
 
 
@@ -103,7 +103,7 @@ def _nearest(chain: Chain, fit: Fit, wanted: FloatArray) -> Nearest:
         inverse(_rigid(fit.base)),
         inverse(_rigid(fit.tool)),
         (0.0, *map(float, fit.offsets), 0.0),
-        most_deviation(wanted, fit.constants),
+        most_deviation(wanted, fit.constants, chain.size),
     )
 
 

@@ -72,7 +72,7 @@ def solve(
 
     Args:
         robot: The robot; its task names the entries of T that count, its `free` the joints that are
-        given.
+            given.
         T: Pose of the tool in the base, shape (4, 4).
         q_free: Values of the free joints [rad or length], in the order of `robot.free`, or the arm
             angle.

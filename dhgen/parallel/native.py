@@ -92,7 +92,7 @@ class Native:
 
         Raises:
             ValueError: They are a continuum, or the drives are not finite; the status is in the
-            message.
+                message.
         """
         T = np.empty((6, 4, 4))
         count = self._call("assemblies", drives, T)

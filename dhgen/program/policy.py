@@ -33,7 +33,7 @@ class Policy:
 
     Attributes:
         retries: Whether other values of free joints are looked for where the seed's have no
-        solution.
+            solution.
         checks: Whether those values decide on whether the arm can take the pose.
         keeps_limits: Whether others are looked for where the seed's solution is beyond limits.
         completes: Whether rows may miss their pose, be lost or nearly meet.
@@ -48,7 +48,7 @@ class Policy:
         clamped: By how much more the pose may be missed then [arm sizes, rad].
         clamped_again: And where no row is inside limits then.
         clamps_far: Whether joints far from limits are clamped: not where every pose is solved with
-        care.
+            care.
         range_exceeds_a_turn: Whether a joint that is put on a limit could be turned.
         follows_seed: Whether rows near singular poses go on from the seed.
         choosable: Joints, from 0, that may be free, the last first.

@@ -53,7 +53,7 @@ def survey(
 
     Raises:
         RobotFileError: A path does not exist, or a list can't be read. Mistakes in single robot
-        files are in their lines.
+            files are in their lines.
     """
     lines: list[Line] = []
     with tempfile.TemporaryDirectory(prefix="dhgen-survey-") as folder:

@@ -23,7 +23,7 @@ struct dhgen_leg_motion {
     double J[6][6]; /* of the leg's joints: passive ones first, then driven ones */
     double miss[6]; /* from where the leg ends to where the platform has it */
     int order[6];   /* the joint of each column of J */
-    double unit[6]; /* of each drive: a robot size of slides */
+    double unit[6]; /* of the joint of each column: slides count in sizes of the robot */
 };
 
 /* What a leg's end is away from where the platform carries it: three lengths, then the rotation

@@ -54,7 +54,7 @@ LEAST_MISS = 1e-09
 # them [rad, arm sizes].
 MOST_NUMBER = 1e5
 # The square of the sine of an angle from which axes are far from parallel.
-FAR_FROM_PARALLEL = 0.1
+FAR_FROM_PARALLEL = 1e-4
 # Rounds in which a frame's place on its axis and the zero of the joint before it are found: each
 # changes the other by as much as axes miss being parallel.
 FITS = 3
@@ -276,6 +276,33 @@ def fit_constant(N: Floats, C: Floats) -> tuple[float, float, float]:
 
 
 @inner
+def foot_on_axis(
+    p0: float, p1: float, p2: float, u0: float, u1: float, u2: float
+) -> tuple[float, float]:
+    """Returns where the common normal with a line meets the z axis, and how far the line is apart.
+
+    The line is a point of it and its direction.
+    """
+    square = u0 * u0 + u1 * u1  # of the normal (-u1, u0, 0)
+    apart = abs(p1 * u0 - p0 * u1) / math.sqrt(square)
+    return p2 - u2 * (p0 * u0 + p1 * u1) / square, apart
+
+
+@inner
+def shift_of_first(N: Floats, C: Floats) -> float:
+    """Returns how far a frame on axis 1 is, along it, from where the nominal arm has it.
+
+    As far as the feet of the common normals with axis 2 are apart, or, where the two are parallel,
+    as links are.
+    """
+    if N[2] * N[2] + N[6] * N[6] <= FAR_FROM_PARALLEL:
+        return float(C[11] - N[11])
+    foot, _ = foot_on_axis(C[3], C[7], C[11], C[2], C[6], C[10])
+    nominal, _ = foot_on_axis(N[3], N[7], N[11], N[2], N[6], N[10])
+    return foot - nominal
+
+
+@inner
 def find_nearest(kind: Floats, of: Floats) -> None:
     """Finds the nominal arm as near to the calibrated one as what is free can take it.
 
@@ -288,7 +315,7 @@ def find_nearest(kind: Floats, of: Floats) -> None:
     nominal = of[NOMINAL : NOMINAL + 84].reshape(7, 12)
     left, right, slid = of[LEFT : LEFT + 12], of[RIGHT : RIGHT + 12], np.empty(12)
     constants_of(kind, kind[TABLE:], nominal)
-    shift = constant[1, 11] - nominal[1, 11]  # along axis 1 the base takes up what is missed
+    shift = shift_of_first(nominal[1], constant[1])  # along axis 1 the base takes up what is missed
     slide(constant[0], shift)
     take(left, nominal[0])
     follow(left, invert(constant[0]))
@@ -316,19 +343,6 @@ def find_nearest(kind: Floats, of: Floats) -> None:
         length += length_of(nominal[k])
     side_by_side = max(most / of[TURNED], farthest / of[MOVED])
     of[MARGIN] = max(1.0, MARGIN_SIDE_BY_SIDE * side_by_side)
-
-
-@inner
-def foot_on_axis(
-    p0: float, p1: float, p2: float, u0: float, u1: float, u2: float
-) -> tuple[float, float]:
-    """Returns where the common normal with a line meets the z axis, and how far the line is apart.
-
-    The line is a point of it and its direction.
-    """
-    square = u0 * u0 + u1 * u1  # of the normal (-u1, u0, 0)
-    apart = abs(p1 * u0 - p0 * u1) / math.sqrt(square)
-    return p2 - u2 * (p0 * u0 + p1 * u1) / square, apart
 
 
 @inner

@@ -56,8 +56,8 @@ except ImportError:
 if not COMPILED:  # plain Python, only slower
     njit, overload, carray = _plain, _plain, _plain_room
 
-# A function without this option would be inlined by force into functions that have it. Roots of
-# negative numbers are NaN, as they are in C.
+# Without `forceinline: False` a function is inlined by force into functions that are themselves
+# inlined by force. Roots of negative numbers are NaN, as they are in C.
 _OPTIONS = {"error_model": "numpy", "forceinline": False}
 # Only compiled code may call these: what Python would need is not made, which is much of the work.
 _INNER = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}

@@ -8,7 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dhgen.runtime.python.calibration import LEFT, LOOP, MORE, NUMBERS, RIGHT, SIZE
+from dhgen.runtime.python.calibration import (
+    LEFT,
+    LOOP,
+    MORE,
+    MOVED,
+    NUMBERS,
+    RIGHT,
+    SIZE,
+    TURNED,
+)
 from dhgen.runtime.python.general.arm import Formulation
 from tests.runtime.arms import ENDLESS, arm_of, called
 from tests.runtime.plain import KINDS, part
@@ -232,3 +241,34 @@ def test_normal_equations(kind: str) -> None:
     found = b.copy()
     called(kind, "calibrate", "solve_normal")(normal.copy(), found)
     np.testing.assert_allclose(found, np.linalg.solve(normal, b), rtol=1e-9)
+
+
+@pytest.mark.parametrize("twist", [math.pi / 2, math.pi / 3, 0.7, 0.25, 0.05])
+@pytest.mark.parametrize("row", [0, 3])
+def test_frames_may_be_anywhere_on_their_axes(kind: str, row: int, twist: float) -> None:
+    """Frames slid along axes and turned about them are of an arm that differs by no more."""
+    source, nominal = np.random.default_rng(12), np.array(NOMINAL)
+    nominal[row, 3] = twist
+    table = nominal + source.normal(0.0, 1e-4, (6, 4))
+    origins, behind = [], np.eye(4)
+    for theta, d, a, alpha in table:
+        free = screw(2, source.uniform(-3.0, 3.0), source.uniform(-0.3, 0.3))
+        origins.append(behind @ screw(2, theta, d) @ free)
+        behind = np.linalg.inv(free) @ screw(0, alpha, a)
+    numbers, blank = model(kind, "standard")
+    numbers[part(kind, "calibrate").TABLE :] = nominal.ravel()
+    arms = [blank.copy(), blank.copy()]
+    for given, arm in zip(
+        (table, [place_of(each) for each in (*origins, behind)]), arms, strict=True
+    ):
+        part(kind, "calibrate").calibrate(numbers, np.ravel(given).copy(), arm)
+    own, other = (arm[TURNED - NUMBERS : MOVED - NUMBERS + 1] for arm in arms)
+    np.testing.assert_allclose(other, own, rtol=0.1)
+    assert (own < 0.01).all()
+
+
+def place_of(T: np.ndarray) -> list[float]:
+    """x, y, z, roll, pitch, yaw."""
+    R = T[:3, :3]
+    pitch = math.atan2(-R[2, 0], math.hypot(R[2, 1], R[2, 2]))
+    return [*T[:3, 3], math.atan2(R[2, 1], R[2, 2]), pitch, math.atan2(R[1, 0], R[0, 0])]

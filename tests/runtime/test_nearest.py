@@ -36,7 +36,7 @@ def test_one_table_of_tolerances() -> None:
         "free": "FREE",
         "merge": "MERGE",
         "doubtful": "DOUBTFUL",
-        "told": "APART_BY",
+        "distinct": "APART_BY",
         "far": "FAR_ANGLE",
         "fine": "FINE",
         "double": "DOUBLE_ROOT",

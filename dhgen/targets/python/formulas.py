@@ -43,7 +43,7 @@ class Formulas:
             left to the whole program, and what stages leave to later ones.
         turns: How many arguments of functions it has, or one, as no array is empty.
         places: The places among `rows` of the joints' values of each row, as lines of a table; the
-        rows' statuses come after all of them.
+            rows' statuses come after all of them.
     """
 
     lines: Sequence[str]

@@ -29,7 +29,7 @@
 #define DHGEN_ROUNDED_DEVIATION 1e-10
 
 /* The square of the sine of an angle from which axes are far from parallel. */
-#define DHGEN_FAR_FROM_PARALLEL 0.1
+#define DHGEN_FAR_FROM_PARALLEL 1e-4
 /* Rounds in which a frame's place on its axis and the zero of the joint before it are found: each
  * changes the other by as much as axes miss being parallel. */
 #define DHGEN_FITS 3
@@ -236,58 +236,72 @@ DHGEN_FN void dhgen_fit_constant(
     dhgen_copy_link(turned, N);
 }
 
-/* The nominal arm as near to the calibrated one as other zeros of its joints, another base and
- * another tool can take it, and frames of the latter elsewhere on their axes: common normals of
- * axes that are nearly parallel may be far away. What is left between constants adds up to how far
- * the tools may be apart: a rotation counts at the length of what is behind it. */
-DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
-{
-    double(*const nominal)[12] = of->nominal, slid[12], length;
-    double most[2] = { 0.0, 0.0 }, behind[2] = { 0.0, 0.0 };
-    dhgen_constants_of(kind, kind->nominal, nominal);
-    /* along axis 1 the base takes up what is missed */
-    double shift = of->constant[1][11] - nominal[1][11];
-    dhgen_append_slide(of->constant[0], shift);
-    dhgen_invert(of->constant[0], slid);
-    dhgen_compose(nominal[0], slid, of->left);
-    of->more[0] = 0.0;
-    for (int k = 1; k < 7; k++) {
-        double before, along;
-        dhgen_copy_link(dhgen_identity, slid);
-        dhgen_append_slide(slid, -shift);
-        dhgen_append(slid, of->constant[k]);
-        if (k < 6) {
-            dhgen_fit_constant(nominal[k], slid, &before, &of->more[k], &along);
-            of->more[k - 1] += before;
-            shift = along;
-        }
-        dhgen_copy_link(slid, of->constant[k]);
-    }
-    dhgen_invert(of->constant[6], slid);
-    dhgen_compose(slid, nominal[6], of->right);
-    of->turned = DHGEN_ROUNDED_DEVIATION;
-    of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
-    length = dhgen_length_of(nominal[6]);
-    for (int k = 5; k > 0; k--) {
-        const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
-        const double moved = dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
-        of->turned += turned;
-        of->moved += moved;
-        most[0] = fmax(most[0], turned + behind[0]);
-        most[1] = fmax(most[1], moved + behind[1]);
-        behind[0] = turned;
-        behind[1] = moved;
-        length += dhgen_length_of(nominal[k]);
-    }
-    of->margin =
-        fmax(1.0, DHGEN_MARGIN_SIDE_BY_SIDE * fmax(most[0] / of->turned, most[1] / of->moved));
-}
-
 /* How far from the foot of the common normal on the z axis a line's own point is, and how far the
  * lines are apart; a point of the line and its direction. */
 DHGEN_FN double dhgen_foot_on_axis(const double p[3], const double u[3], double *apart)
 {
-    const double square = u[0] * u[0] + u[1] * u[1]; /* of the normal (-u[1], u[0], 0) */
+    const double square = u[0] * u[0]
+        + u[1] * u[1]; /* How far an arm's frame on axis 1 is from where the nominal one has it,
+                        * along that axis: as far as the feet of the common normals with axis 2 are
+                        * apart, or, where the two are parallel, as links are. */
+    DHGEN_FN double dhgen_shift_of_first(const double N[12], const double C[12])
+    {
+        const double p[3] = { N[3], N[7], N[11] }, u[3] = { N[2], N[6], N[10] };
+        const double r[3] = { C[3], C[7], C[11] }, v[3] = { C[2], C[6], C[10] };
+        double apart;
+        if (u[0] * u[0] + u[1] * u[1] <= DHGEN_FAR_FROM_PARALLEL)
+            return C[11] - N[11];
+        return dhgen_foot_on_axis(r, v, &apart) - dhgen_foot_on_axis(p, u, &apart);
+    }
+
+    /* The nominal arm as near to the calibrated one as other zeros of its joints, another base and
+     * another tool can take it, and frames of the latter elsewhere on their axes: common normals of
+     * axes that are nearly parallel may be far away. What is left between constants adds up to how
+     * far the tools may be apart: a rotation counts at the length of what is behind it. */
+    DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
+    {
+        double(*const nominal)[12] = of->nominal, slid[12], length;
+        double most[2] = { 0.0, 0.0 }, behind[2] = { 0.0, 0.0 };
+        dhgen_constants_of(kind, kind->nominal, nominal);
+        /* along axis 1 the base takes up what is missed */
+        double shift = dhgen_shift_of_first(nominal[1], of->constant[1]);
+        dhgen_append_slide(of->constant[0], shift);
+        dhgen_invert(of->constant[0], slid);
+        dhgen_compose(nominal[0], slid, of->left);
+        of->more[0] = 0.0;
+        for (int k = 1; k < 7; k++) {
+            double before, along;
+            dhgen_copy_link(dhgen_identity, slid);
+            dhgen_append_slide(slid, -shift);
+            dhgen_append(slid, of->constant[k]);
+            if (k < 6) {
+                dhgen_fit_constant(nominal[k], slid, &before, &of->more[k], &along);
+                of->more[k - 1] += before;
+                shift = along;
+            }
+            dhgen_copy_link(slid, of->constant[k]);
+        }
+        dhgen_invert(of->constant[6], slid);
+        dhgen_compose(slid, nominal[6], of->right);
+        of->turned = DHGEN_ROUNDED_DEVIATION;
+        of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
+        length = dhgen_length_of(nominal[6]);
+        for (int k = 5; k > 0; k--) {
+            const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
+            const double moved = dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
+            of->turned += turned;
+            of->moved += moved;
+            most[0] = fmax(most[0], turned + behind[0]);
+            most[1] = fmax(most[1], moved + behind[1]);
+            behind[0] = turned;
+            behind[1] = moved;
+            length += dhgen_length_of(nominal[k]);
+        }
+        of->margin =
+            fmax(1.0, DHGEN_MARGIN_SIDE_BY_SIDE * fmax(most[0] / of->turned, most[1] / of->moved));
+    }
+
+    /* of the normal (-u[1], u[0], 0) */
     *apart = fabs(p[1] * u[0] - p[0] * u[1]) / sqrt(square);
     return p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / square;
 }
@@ -338,8 +352,9 @@ DHGEN_FN void dhgen_no_arm(dhgen_calibration *of)
     of->turned = of->moved = of->size = of->margin = DHGEN_NAN;
 }
 
-/* Whether all numbers, row by row, are finite (else DHGEN_NOT_FINITE) and as small as in
- * calibrations (else DHGEN_ANOTHER_ARM); bit i of `lengths`: column i holds lengths. */
+/* Returns DHGEN_NOT_FINITE where one of the numbers, row by row, is not, DHGEN_ANOTHER_ARM where
+ * one is larger than those of calibrations, else DHGEN_TAKEN; bit i of `lengths`: column i holds
+ * lengths. */
 DHGEN_FN int dhgen_fault_of_numbers(
     const dhgen_kind *kind, const double *number, int rows, int columns, unsigned lengths)
 {
@@ -354,13 +369,21 @@ DHGEN_FN int dhgen_fault_of_numbers(
     return fault;
 }
 
-/* Works out what an arm's constants make of it. Returns DHGEN_TAKEN, or what is wrong with them. */
-DHGEN_FN int dhgen_work_out(const dhgen_kind *kind, dhgen_calibration *of)
+/* Works out what an arm's constants make of it, whose numbers have a fault, or none (DHGEN_TAKEN):
+ * returns that, or what is wrong with the constants. Of numbers that are not finite nothing is
+ * made. */
+DHGEN_FN int dhgen_work_out(const dhgen_kind *kind, int fault, dhgen_calibration *of)
 {
+    if (fault == DHGEN_NOT_FINITE) {
+        dhgen_no_arm(of);
+        return fault;
+    }
     for (int i = 0; i < 6; i++)
         of->facing[i] = kind->facing[i];
     dhgen_find_nearest(kind, of);
     dhgen_make_loop(kind, of);
+    if (fault != DHGEN_TAKEN)
+        return fault;
     if (!(of->turned <= DHGEN_MOST_DEVIATION && of->moved <= DHGEN_MOST_DEVIATION * kind->length))
         return DHGEN_ANOTHER_ARM;
     return dhgen_least_miss(kind, of) < DHGEN_LEAST_MISS ? DHGEN_NO_MISS : DHGEN_TAKEN;
@@ -369,28 +392,18 @@ DHGEN_FN int dhgen_work_out(const dhgen_kind *kind, dhgen_calibration *of)
 /* Works out what a table makes of an arm. Returns DHGEN_TAKEN, or what is wrong with it. */
 DHGEN_FN int dhgen_calibrate(const dhgen_kind *kind, const double *table, dhgen_calibration *of)
 {
-    const int fault = dhgen_fault_of_numbers(kind, table, 6, 4, 0x6u); /* d and a are lengths */
-    if (fault == DHGEN_NOT_FINITE) {
-        dhgen_no_arm(of);
-        return fault;
-    }
     dhgen_constants_of(kind, table, of->constant);
-    const int other = dhgen_work_out(kind, of);
-    return fault == DHGEN_TAKEN ? other : fault;
+    const int fault = dhgen_fault_of_numbers(kind, table, 6, 4, 0x6u); /* d and a are lengths */
+    return dhgen_work_out(kind, fault, of);
 }
 
-/* Fills in an arm from origins, seven rows of six. */
+/* Works out what origins, seven rows of six, make of an arm. Returns the like. */
 DHGEN_FN int dhgen_calibrate_origins(
     const dhgen_kind *kind, const double *origins, dhgen_calibration *of)
 {
-    const int fault = dhgen_fault_of_numbers(kind, origins, 7, 6, 0x7u); /* x, y, z are lengths */
-    if (fault == DHGEN_NOT_FINITE) {
-        dhgen_no_arm(of);
-        return fault;
-    }
     dhgen_constants_of_origins(kind, origins, of->constant);
-    const int other = dhgen_work_out(kind, of);
-    return fault == DHGEN_TAKEN ? other : fault;
+    const int fault = dhgen_fault_of_numbers(kind, origins, 7, 6, 0x7u); /* x, y, z are lengths */
+    return dhgen_work_out(kind, fault, of);
 }
 
 #endif
