@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * dhgen_pose: poses in the notations that dhgen_pose.h lists. Part of dhgen, which puts a copy of
- * this file beside the robots that it generates.
+ * dhgen_pose: poses in the notations that dhgen_pose.h lists.
+ * Part of dhgen, which puts a copy of this file beside the robots that it generates.
  *
  * "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French.
  * Its sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name

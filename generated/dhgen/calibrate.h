@@ -240,70 +240,69 @@ DHGEN_FN void dhgen_fit_constant(
  * lines are apart; a point of the line and its direction. */
 DHGEN_FN double dhgen_foot_on_axis(const double p[3], const double u[3], double *apart)
 {
-    const double square = u[0] * u[0]
-        + u[1] * u[1]; /* How far an arm's frame on axis 1 is from where the nominal one has it,
-                        * along that axis: as far as the feet of the common normals with axis 2 are
-                        * apart, or, where the two are parallel, as links are. */
-    DHGEN_FN double dhgen_shift_of_first(const double N[12], const double C[12])
-    {
-        const double p[3] = { N[3], N[7], N[11] }, u[3] = { N[2], N[6], N[10] };
-        const double r[3] = { C[3], C[7], C[11] }, v[3] = { C[2], C[6], C[10] };
-        double apart;
-        if (u[0] * u[0] + u[1] * u[1] <= DHGEN_FAR_FROM_PARALLEL)
-            return C[11] - N[11];
-        return dhgen_foot_on_axis(r, v, &apart) - dhgen_foot_on_axis(p, u, &apart);
-    }
-
-    /* The nominal arm as near to the calibrated one as other zeros of its joints, another base and
-     * another tool can take it, and frames of the latter elsewhere on their axes: common normals of
-     * axes that are nearly parallel may be far away. What is left between constants adds up to how
-     * far the tools may be apart: a rotation counts at the length of what is behind it. */
-    DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
-    {
-        double(*const nominal)[12] = of->nominal, slid[12], length;
-        double most[2] = { 0.0, 0.0 }, behind[2] = { 0.0, 0.0 };
-        dhgen_constants_of(kind, kind->nominal, nominal);
-        /* along axis 1 the base takes up what is missed */
-        double shift = dhgen_shift_of_first(nominal[1], of->constant[1]);
-        dhgen_append_slide(of->constant[0], shift);
-        dhgen_invert(of->constant[0], slid);
-        dhgen_compose(nominal[0], slid, of->left);
-        of->more[0] = 0.0;
-        for (int k = 1; k < 7; k++) {
-            double before, along;
-            dhgen_copy_link(dhgen_identity, slid);
-            dhgen_append_slide(slid, -shift);
-            dhgen_append(slid, of->constant[k]);
-            if (k < 6) {
-                dhgen_fit_constant(nominal[k], slid, &before, &of->more[k], &along);
-                of->more[k - 1] += before;
-                shift = along;
-            }
-            dhgen_copy_link(slid, of->constant[k]);
-        }
-        dhgen_invert(of->constant[6], slid);
-        dhgen_compose(slid, nominal[6], of->right);
-        of->turned = DHGEN_ROUNDED_DEVIATION;
-        of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
-        length = dhgen_length_of(nominal[6]);
-        for (int k = 5; k > 0; k--) {
-            const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
-            const double moved = dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
-            of->turned += turned;
-            of->moved += moved;
-            most[0] = fmax(most[0], turned + behind[0]);
-            most[1] = fmax(most[1], moved + behind[1]);
-            behind[0] = turned;
-            behind[1] = moved;
-            length += dhgen_length_of(nominal[k]);
-        }
-        of->margin =
-            fmax(1.0, DHGEN_MARGIN_SIDE_BY_SIDE * fmax(most[0] / of->turned, most[1] / of->moved));
-    }
-
-    /* of the normal (-u[1], u[0], 0) */
+    const double square = u[0] * u[0] + u[1] * u[1]; /* of the normal (-u[1], u[0], 0) */
     *apart = fabs(p[1] * u[0] - p[0] * u[1]) / sqrt(square);
     return p[2] - u[2] * (p[0] * u[0] + p[1] * u[1]) / square;
+}
+
+/* How far an arm's frame on axis 1 is from where the nominal one has it, along that axis: as far as
+ * the feet of the common normals with axis 2 are apart, or, where the two are parallel, as links
+ * are. */
+DHGEN_FN double dhgen_shift_of_first(const double N[12], const double C[12])
+{
+    const double p[3] = { N[3], N[7], N[11] }, u[3] = { N[2], N[6], N[10] };
+    const double r[3] = { C[3], C[7], C[11] }, v[3] = { C[2], C[6], C[10] };
+    double apart;
+    if (u[0] * u[0] + u[1] * u[1] <= DHGEN_FAR_FROM_PARALLEL)
+        return C[11] - N[11];
+    return dhgen_foot_on_axis(r, v, &apart) - dhgen_foot_on_axis(p, u, &apart);
+}
+
+/* The nominal arm as near to the calibrated one as other zeros of its joints, another base and
+ * another tool can take it, and frames of the latter elsewhere on their axes: common normals of
+ * axes that are nearly parallel may be far away. What is left between constants adds up to how far
+ * the tools may be apart: a rotation counts at the length of what is behind it. */
+DHGEN_FN void dhgen_find_nearest(const dhgen_kind *kind, dhgen_calibration *of)
+{
+    double(*const nominal)[12] = of->nominal, slid[12], length;
+    double most[2] = { 0.0, 0.0 }, behind[2] = { 0.0, 0.0 };
+    dhgen_constants_of(kind, kind->nominal, nominal);
+    /* along axis 1 the base takes up what is missed */
+    double shift = dhgen_shift_of_first(nominal[1], of->constant[1]);
+    dhgen_append_slide(of->constant[0], shift);
+    dhgen_invert(of->constant[0], slid);
+    dhgen_compose(nominal[0], slid, of->left);
+    of->more[0] = 0.0;
+    for (int k = 1; k < 7; k++) {
+        double before, along;
+        dhgen_copy_link(dhgen_identity, slid);
+        dhgen_append_slide(slid, -shift);
+        dhgen_append(slid, of->constant[k]);
+        if (k < 6) {
+            dhgen_fit_constant(nominal[k], slid, &before, &of->more[k], &along);
+            of->more[k - 1] += before;
+            shift = along;
+        }
+        dhgen_copy_link(slid, of->constant[k]);
+    }
+    dhgen_invert(of->constant[6], slid);
+    dhgen_compose(slid, nominal[6], of->right);
+    of->turned = DHGEN_ROUNDED_DEVIATION;
+    of->moved = DHGEN_ROUNDED_DEVIATION * kind->length;
+    length = dhgen_length_of(nominal[6]);
+    for (int k = 5; k > 0; k--) {
+        const double turned = dhgen_turned_between(nominal[k], of->constant[k]);
+        const double moved = dhgen_moved_between(nominal[k], of->constant[k]) + turned * length;
+        of->turned += turned;
+        of->moved += moved;
+        most[0] = fmax(most[0], turned + behind[0]);
+        most[1] = fmax(most[1], moved + behind[1]);
+        behind[0] = turned;
+        behind[1] = moved;
+        length += dhgen_length_of(nominal[k]);
+    }
+    of->margin =
+        fmax(1.0, DHGEN_MARGIN_SIDE_BY_SIDE * fmax(most[0] / of->turned, most[1] / of->moved));
 }
 
 /* By how much an axis misses being parallel to the next one [rad]. */
