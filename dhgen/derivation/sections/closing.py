@@ -9,7 +9,7 @@ from dhgen.derivation.sections.shoulder import PSI
 from dhgen.derivation.steps import has_signed_roots
 from dhgen.derivation.text.blocks import Drawing, Heading, Table, joined, paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
-from dhgen.derivation.velocity.determinant import determinant_of
+from dhgen.derivation.velocity.determinant import OF_VELOCITY, determinant_of
 from dhgen.program.walk import finds_roots
 from dhgen.robot.task import TaskKind
 
@@ -77,7 +77,8 @@ def _by_position_alone(story: Story) -> list[Block]:
     if story.algebra.chain.task.kind is not TaskKind.POSE:
         return []
     found = determinant_of(story, by_position=True)
-    vanishing = [each for each in found.factors if not each.is_never_zero] if found else []
+    factors = found.factors if found else ()
+    vanishing = [f for f in factors if not f.is_never_zero and f.formula != OF_VELOCITY]
     if not vanishing:
         return []
     return [

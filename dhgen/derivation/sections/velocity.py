@@ -54,7 +54,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     chain = story.algebra.chain
     redundant = chain.dof > chain.task.dimension
     found = determinant_of(story, places) or determinant_with_arm_angle(story, places)
-    found, letters = _with_letters(story, found) if found else (None, [])
+    found, letters = with_letters(story, found) if found else (None, [])
     wrist = wrist_blocks(story)
     irreducible = _is_irreducible(story, found)
     square = found is not None or irreducible or bool(ways_to_see(story))
@@ -91,7 +91,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     )
 
 
-def _with_letters(story: Story, found: Determinant) -> tuple[Determinant, list[Relation]]:
+def with_letters(story: Story, found: Determinant) -> tuple[Determinant, list[Relation]]:
     """The determinant with letters for long factors where it is too wide, and what these are."""
     if width(found.formula) <= WIDTH:
         return found, []
@@ -99,9 +99,9 @@ def _with_letters(story: Story, found: Determinant) -> tuple[Determinant, list[R
     unused = (letter(each, each) for each in "FGHKLMN" if each not in used)
     factors, defined = [], []
     for each in found.factors:
-        is_long = width(each.formula) > NAMED
-        factors.append(replace(each, formula=next(unused)) if is_long else each)
-        defined += [equal(factors[-1].formula, each.formula)] if is_long else []
+        name = next(unused, None) if width(each.formula) > NAMED else None
+        factors.append(replace(each, formula=name) if name else each)
+        defined += [equal(name, each.formula)] if name else []
     return replace(found, factors=tuple(factors)), defined
 
 

@@ -24,7 +24,7 @@ from dhgen.derivation.text.formula import (
 )
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.types.lost_equation import lost_where
-from dhgen.derivation.velocity.determinant import determinant_of
+from dhgen.derivation.velocity.determinant import OF_VELOCITY, determinant_of
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.robot.task import TaskKind
 
@@ -120,7 +120,7 @@ def _singular(context: StepContext) -> Formula | Prose | None:
     if chain.task.kind is not TaskKind.POSITION:
         return None if found is None else say("{}", equal(DET_J, ZERO))
     vanishing = [each for each in found.factors if not each.is_never_zero] if found else []
-    if len(vanishing) == 1:
+    if len(vanishing) == 1 and vanishing[0].formula != OF_VELOCITY:
         return equal(vanishing[0].formula, ZERO)
     return say("the determinant of the first three rows of {} is zero", JACOBIAN)
 

@@ -86,7 +86,7 @@ class Determinant:
         constant: What does not move: a number and powers of lengths.
         factors: What does.
         rows: How many rows of the Jacobian are not zero, among those that the task names.
-        block: What the factor `OF_VELOCITY` is of.
+        block: What the factor `OF_VELOCITY` is of; None where only the position is looked at.
         elsewhere: A frame, and that with whose origin's velocity the rows are as many as the
             columns, where with the tool's they are more; else None.
     """
@@ -144,7 +144,9 @@ def determinant_of(
     if parts is None:
         return None
     constant, factors = written(story, places, parts.still, parts.powers)
-    block = _shortest_block(story, parts.long) if parts.long else None
+    block = _shortest_block(story, parts.long) if parts.long and not by_position else None
+    if parts.long and block is None and not by_position:
+        return None
     return Determinant(constant, factors, len(story.algebra.chain.solved), block, parts.elsewhere)
 
 
@@ -207,7 +209,7 @@ def _taken_apart(algebra: Algebra, seen: Seen) -> _Parts | None:
             return None
         scale, found = factors_with_powers(algebra, size)
         if any(len(form) > LONGEST for form in found):
-            if long or not seen.are_velocities(rows):
+            if long or not seen.are_velocities(rows) or columns[-1] >= len(algebra.chain.solved):
                 return None
             long, scale, found = columns, algebra.ring.one, Powers({algebra.normal(size): 1})
         still *= scale
@@ -236,8 +238,8 @@ def factors_with_powers(algebra: Algebra, size: Polynomial) -> tuple[Polynomial,
     return still, others
 
 
-def _shortest_block(story: Story, columns: tuple[int, ...]) -> Block:
-    """The velocities of some joints, written in the frame in which they are shortest."""
+def _shortest_block(story: Story, columns: tuple[int, ...]) -> Block | None:
+    """The velocities of some joints, in the arm's frame in which they are shortest, if any."""
     found = []
     for seen in ways_to_see(story):
         rows = tuple(range(len(columns)))
@@ -245,6 +247,8 @@ def _shortest_block(story: Story, columns: tuple[int, ...]) -> Block:
             continue
         vectors = [tuple(seen.rows[row][column] for row in rows) for column in columns]
         found.append((sum(len(entry) for each in vectors for entry in each), seen, vectors))
+    if not found:
+        return None
     _, seen, vectors = min(found, key=lambda each: (each[0], each[1].frame, each[1].centre))
     joints = [story.algebra.chain.solved[column].number for column in columns]
     return Block(seen.frame, seen.centre, tuple(zip(joints, vectors, strict=True)))

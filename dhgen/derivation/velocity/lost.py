@@ -245,7 +245,7 @@ def _jacobian(story: Story, values: Values, elsewhere: Elsewhere) -> FloatArray:
     """The Jacobian, perhaps seen from a frame for the velocity of one's origin, in arm sizes."""
     chain, posture = story.algebra.chain, _posture(story, values)
     J = np.array(posture.jacobian(), float)
-    if elsewhere is not None:  # the whole pose is asked for
+    if elsewhere is not None:  # of whole poses alone
         frames = np.array(posture.frames()[0], float)
         frame, centre = elsewhere
         J[:3] += np.cross(J[3:].T, (frames[centre] - frames[-1])[:, 3]).T

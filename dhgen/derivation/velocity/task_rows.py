@@ -15,7 +15,7 @@ from dhgen.derivation.velocity.columns import WORLD, crossed, view_from
 from dhgen.derivation.velocity.posture import level_axis
 from dhgen.derivation.velocity.triangle import triangle_of
 from dhgen.kinematics.transform import dot, turn_between
-from dhgen.robot.task import Directions
+from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -69,13 +69,15 @@ def ways_to_see(story: Story, *, by_position: bool = False) -> list[Seen]:
         by_position: Whether the rows are those of the position alone.
     """
     chain = story.algebra.chain
+    if any(each.apart for each in chain.passive):
+        return []
     named = Directions.NONE if by_position else chain.task.directions
     coordinates = chain.task.position_rows
     solved = [joint.number - 1 for joint in chain.solved]
     is_level = len(coordinates) + named.dimension > len(solved)  # some rows are zero
     turns_freely = len(coordinates) in {0, 3} and not is_level
     found = []
-    for frame in range(WORLD, chain.dof + 1):
+    for frame in (*range(chain.dof + 1), WORLD):
         view = view_from(story, frame)
         level = frame == WORLD or (coordinates in LEVEL and turn_between(view.world.rotation) == 1)
         if view.length > LONGEST:
@@ -101,9 +103,11 @@ def ways_to_see(story: Story, *, by_position: bool = False) -> list[Seen]:
     whole = len(coordinates) + named.dimension == len(solved)
     if whole or any((each.frame, each.centre) == (WORLD, chain.dof + 1) for each in found):
         found = [replace(each, is_of_poses=True) for each in found]
+    elif chain.task.kind is not TaskKind.POSE or by_position:
+        return []
     else:
         found = [each for each in found if each.frame != WORLD]
-    # origins that are one point give one matrix
+    # origins that are one point give one matrix, of frame 0 rather than of equal poses'
     different = {each.rows: each for each in reversed(found)}
     return sorted(different.values(), key=lambda each: each.length)
 

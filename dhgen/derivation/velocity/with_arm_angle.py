@@ -32,7 +32,7 @@ LINE = Symbol(r"\lVert \mathbf{v} \rVert", "‖v‖")
 
 
 def determinant_with_arm_angle(story: Story, places: Sequence[Singularity]) -> Determinant | None:
-    """In factors; None where no arm angle is given."""
+    """In factors; None where no arm angle is given, or one fills pages."""
     algebra, plane = story.algebra, story.derivation.pool.plane
     if plane is None:
         return None
@@ -45,6 +45,8 @@ def determinant_with_arm_angle(story: Story, places: Sequence[Singularity]) -> D
         parts.append(determinant(algebra, spins))
     still, powers = algebra.ring.one, Powers()
     for part in parts:
+        if part is None:
+            return None
         scale, found = factors_with_powers(algebra, part)
         still *= scale
         powers += found
