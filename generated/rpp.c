@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rpp.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rpp.yaml. The formulas and where they come from: rpp.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 466e27d4a7f5d364
+ * dhgen 0.1.0; SHA-256 of the robot file: 318aa7e1c1c8f486
  * SPDX-License-Identifier: MIT
  */
 #include "rpp.h"

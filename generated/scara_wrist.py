@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 9b101989d7ce50a0
+# dhgen 0.1.0; SHA-256 of the robot file: 61eaff6bdad5e77b
 """scara_wrist: SCARA arm with a spherical wrist.
 
 Inverse kinematics, generated from robots/scara_wrist.yaml and templates/python/solver.py.jinja.
