@@ -393,7 +393,7 @@ def test_where_all_coefficients_vanish_is_said_in_words() -> None:
 def test_the_reader_is_told_which_documents_are_cited(name: str) -> None:
     text = document(name)
     told = re.findall(r"^Documents? ([\d, and]+), cited here by number", text, re.MULTILINE)
-    cited = re.findall(r"document (\d{3})", text)
+    cited = re.findall(r"[Dd]ocument (\d{3})", text)
     assert len(told) <= 1
     assert set(re.findall(r"\d{3}", "".join(told))) == set(cited)
 
