@@ -45,10 +45,11 @@ TOKEN = re.compile(
 )
 OF_ROOTS = re.compile(r"\\frac\{((?:\d+ )?\\sqrt\{\d+\})\}\{(\d+)\}")
 NAMES = [name for name in SERIAL if PRINTED.search(document(name))]
-ELSEWHERE = re.compile(r"With the velocity of the origin of frame (\d) .* seen from frame (\d),")
+ELSEWHERE = re.compile(r"(?:With|,) the velocity of (.*) in the place of .* seen from frame (\d),")
+FRAME = re.compile(r"(?<!line to )the origin of frame (\d+)")
 # A letter of the section, or an entry of J_v, and what it is.
 DEFINED = re.compile(r"^(?P<name>[FGHK]|j_\{[xyz]\d\}) (?:& )?= (?P<value>.*)")
-ALONE = re.compile(r"^\$(.*?)\$ is no product", re.MULTILINE)
+ALONE = re.compile(r"^\$(.*?)\$ is, but for factors that do not move, no product", re.MULTILINE)
 BLOCK = re.compile(r"^J_v = \\begin\{bmatrix\} (.*) \\end\{bmatrix\}$", re.MULTILINE)
 
 
@@ -114,7 +115,8 @@ class Arm:
         J, task = jacobian(self.robot, q), self.robot.task
         if found := ELSEWHERE.search(text):
             frames = module(self.robot.name).frames(q)
-            J[:3] += np.cross(J[3:].T, (frames[int(found[1])] - frames[-1])[:3, 3]).T
+            point = named_point(found[1], frames, J)
+            J[:3] += np.cross(J[3:].T, point - frames[-1][:3, 3]).T
             R = frames[int(found[2])][:3, :3]
             J = np.vstack([R.T @ J[:3], R.T @ J[3:]])
         J = np.delete(J, [joint - 1 for joint in self.robot.free], axis=1)
@@ -135,6 +137,23 @@ class Arm:
         steps = 1e-6 * np.eye(len(q))
         ahead, behind = (given_values(self.robot, q + sign * steps) for sign in (1.0, -1.0))
         return np.asarray(np.remainder(ahead - behind + np.pi, 2.0 * np.pi) - np.pi).T / 2e-6
+
+
+def named_point(text: str, frames: FloatArray, J: FloatArray) -> FloatArray:
+    """The point that a text names, else the tool's origin."""
+    tip = frames[-1][:3, 3]
+    if found := FRAME.search(text):
+        return np.asarray(frames[int(found[1])][:3, 3])
+    return meeting(J[:, -3:], tip) if "the wrist centre" in text else np.asarray(tip)
+
+
+def meeting(J: FloatArray, tip: FloatArray) -> FloatArray:
+    """Where the axes of some columns of the Jacobian meet."""
+    axes = J[3:].T
+    # of every axis the point next to the tool's origin
+    points = np.cross(axes, J[:3].T) + tip
+    across = [np.eye(3) - np.outer(a, a) for a in axes]
+    return np.linalg.solve(sum(across), sum(P @ o for P, o in zip(across, points, strict=True)))
 
 
 @cache
@@ -300,12 +319,7 @@ def wrist_jacobian(name: str, q: FloatArray) -> FloatArray:
     """At the point where the last three axes meet, in the frame behind joint 3."""
     of = arm(name)
     J, tip = jacobian(of.robot, q), forward(of.robot, q)[:3, 3]
-    axes = J[3:, 3:].T
-    across = [np.eye(3) - np.outer(a, a) for a in axes]
-    # of every axis the point next to the tool's origin
-    points = [tip + np.cross(a, v) for a, v in zip(axes, J[:3, 3:].T, strict=True)]
-    centre = np.linalg.solve(sum(across), sum(P @ o for P, o in zip(across, points, strict=True)))
-    J[:3] += np.cross(J[3:].T, centre - tip).T
+    J[:3] += np.cross(J[3:].T, meeting(J[:, 3:], tip) - tip).T
     R = forward(of.robot, q)
     return np.asarray(np.vstack([R[:3, :3].T @ J[:3], R[:3, :3].T @ J[3:]]))
 
@@ -386,16 +400,7 @@ def lost_part(name: str, lost: str, q: FloatArray) -> float:
     scale = np.where(of.algebra.chain.turning, 1.0, of.algebra.chain.size)
     J *= np.delete(scale, [joint - 1 for joint in of.robot.free])
     frames, z = module(name).frames(q), J[3:]
-    point = frames[-1][:3, 3]
-    if found := re.search(r"(?<!line to )the origin of frame (\d+)", lost):
-        point = frames[int(found[1])][:3, 3]
-    elif "the wrist centre" in lost:
-        axes = z[:, -3:].T
-        origins = np.cross(axes, J[:3, -3:].T) + frames[-1][:3, 3]
-        across = [np.eye(3) - np.outer(a, a) for a in axes]
-        point = np.linalg.solve(
-            sum(across), sum(P @ o for P, o in zip(across, origins, strict=True))
-        )
+    point = named_point(lost, frames, J)
     moved = J[:3] + np.cross(z.T, point - frames[-1][:3, 3]).T
     if lost.startswith("with the tool at rest"):
         return float(np.abs(of.elbow_rate(q) @ _null(J)).max())

@@ -21,9 +21,9 @@ from dhgen.derivation.velocity.with_arm_angle import determinant_with_arm_angle
 from dhgen.derivation.velocity.wrist import (
     adjugate,
     arm_rows,
-    determinant,
     wrist_blocks,
 )
+from dhgen.kinematics.transform import dot
 from dhgen.robot.task import Directions
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         never_zero=found is not None and not found.factors,
         listed=found is not None and all(each.place for each in found.factors),
         frame=elsewhere and str(elsewhere[0]),
-        centre=elsewhere and str(elsewhere[1]),
+        centre=elsewhere and elsewhere[1] <= chain.dof and point_name(story, elsewhere[1]),
         level=_level_axis(story),
         pointing=chain.task.directions is Directions.POINTING,
         tilt=chain.task.directions is Directions.TILT,
@@ -127,7 +127,7 @@ def _block(story: Story, block: VelocityBlock) -> dict[str, object]:
                 columns[-1][place] = name
     return {
         "block": display(equal(letter("J", "J", "v"), Matrix(tuple(zip(*columns, strict=True))))),
-        "entries": display(*entries),
+        "entries": display(*entries) if entries else None,
         "movers": enumerated([str(number) for number, _ in block.columns]),
         "block_point": point_name(story, block.centre),
         "block_frame": str(block.frame),
@@ -144,6 +144,8 @@ def _wrist(story: Story, blocks: WristBlocks) -> dict[str, object]:
     """The blocks, the inverse of the wrist's, and what joints 1 to 3 follow from."""
     algebra = story.algebra
     rows = arm_rows(story, blocks)
+    adjoint = adjugate(algebra, blocks.hand)
+    size = dot([row[0] for row in blocks.hand], adjoint[0], algebra.normal)
     inverse = times(Symbol(r"(\det J_{22})", "(det J₂₂)"), Power(J_22, -1))
     return {
         "blocks": [
@@ -153,8 +155,8 @@ def _wrist(story: Story, blocks: WristBlocks) -> dict[str, object]:
         ],
         "inverse_hand": [
             display(
-                equal(DET_22, story.write_forward(determinant(algebra, blocks.hand))),
-                equal(inverse, _matrix(story, adjugate(algebra, blocks.hand))),
+                equal(DET_22, story.write_forward(size)),
+                equal(inverse, _matrix(story, adjoint)),
             )
         ],
         "rows": rows is not None,

@@ -3,8 +3,9 @@
 In the tangents of half the angles, and times powers of 1 + t^2, it is a polynomial with letters for
 lengths and twists. Were it a product, it would be one on every line through the space of these
 tangents and with all values of the letters, with factors of the same degrees (D. Hilbert, 1892). So
-it is none if no degree is common to what is found on some lines. There the arithmetic is that of
-whole numbers modulo a prime of 127 bits: without rounding, and with roots of 2 and 3.
+it is none, but for factors in the letters alone, if no degree is common to what is found on some
+lines. There the arithmetic is that of whole numbers modulo a prime of 127 bits: without rounding,
+and with roots of 2 and 3.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ Line = dict[int, tuple[int, int]]
 
 @lru_cache(maxsize=8)
 def is_irreducible(story: Story) -> bool:
-    """Whether the determinant was found to be no product; False where that is not known."""
+    """Whether it was found that no product of what moves is it; False where that is not known."""
     chain, source = story.algebra.chain, random.Random(2)  # noqa: S311 - places, no secrets
     known = _constants(story, source).keys() == {each.name for each in chain.constants}
     if not known or any(each.apart for each in chain.passive):

@@ -321,26 +321,40 @@ def _leads(wrench: _Wrench, start: int, end: int) -> bool:
 def _wrist_frames(story: Story) -> frozenset[int]:
     """Frames whose origins are the wrist centre, where the arm has one.
 
-    The arm before the wrist holds it, and so does the tool, at postures that are not singular.
+    The arm before the wrist holds it, and so does the tool.
     """
     if story.wrist is None:
         return frozenset()
+    held = _held(_seen(story), story.wrist[0] - 1)
+    return _tool_frames(story) & frozenset(np.flatnonzero(held).tolist())
+
+
+@lru_cache(maxsize=8)
+def _tool_frames(story: Story) -> frozenset[int]:
+    """Frames whose origins the tool holds."""
+    return frozenset(np.flatnonzero(_held(_seen(story), -1)).tolist())
+
+
+def _seen(story: Story) -> list[_Wrench]:
+    """The frames at postures that are not singular."""
     source, reach = random.Random(5), _reach(story)  # noqa: S311 - postures, no secrets
+    given = _given_values(story, source)
     seen = []
     for _ in range(POSTURES):
-        values = {j: source.uniform(-most, most) for j, most in reach.items()}
+        values = {j: source.uniform(-most, most) for j, most in reach.items()} | given
         frames = np.array(_posture(story, values).frames()[0], float)
         frames[..., 3] /= story.algebra.chain.size
         nothing = np.zeros(3)
         seen.append(_Wrench(nothing, nothing, frames))
-    held = _held(seen, story.wrist[0] - 1) & _held(seen, -1)
-    return frozenset(np.flatnonzero(held).tolist())
+    return seen
 
 
 def point_name(story: Story, frame: int) -> Prose:
-    """What the origin of a frame is called; the last is the tool's."""
+    """What the tool's point at the origin of a frame is called; the last is the tool's own."""
     if frame in _wrist_frames(story):
         return say("the wrist centre")
     if frame > story.dof:
         return say("the tool's origin")
-    return say("the origin of frame {}", Given(str(frame)))
+    if frame in _tool_frames(story):
+        return say("the origin of frame {}", Given(str(frame)))
+    return say("the point of the tool at the origin of frame {}", Given(str(frame)))

@@ -63,15 +63,6 @@ def adjugate(algebra: Algebra, block: Block) -> Block:
     return tuple(crossed(algebra, columns[i - 2], columns[i - 1]) for i in range(3))
 
 
-def determinant(algebra: Algebra, block: Block) -> Polynomial:
-    """Of three rows."""
-    first = [row[0] for row in block]
-    inverse = adjugate(algebra, block)[0]
-    return algebra.normal(
-        sum((a * b for a, b in zip(first, inverse, strict=True)), algebra.ring.zero)
-    )
-
-
 @dataclass(frozen=True, slots=True)
 class ArmRows:
     """J11 where one of its rows is that of joint 1 alone.
