@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING
 
+from sympy.core.random import seed
+
 from dhgen.derivation.conditions import are_never_zero, unsigned
 from dhgen.derivation.notation.matrices import expanded
 from dhgen.derivation.text.formula import (
@@ -38,6 +40,7 @@ if TYPE_CHECKING:
 MOST_TERMS = 200  # of a determinant that is taken apart, and of the minors that it is made of
 FEW = 3  # rows whose minors stay as they are
 SMALL = 2 * FEW**3  # the effort of two such blocks, which are taken apart in every frame
+SEED = 1  # the same input takes the same time
 LONGEST = 20  # terms of a factor that still says something to a reader
 OF_VELOCITY = Symbol(r"\det J_v", "det Jᵥ")
 
@@ -219,6 +222,7 @@ def _taken_apart(algebra: Algebra, seen: Seen) -> _Parts | None:
 
 def factors_with_powers(algebra: Algebra, size: Polynomial) -> tuple[Polynomial, Powers]:
     """A monomial that does not move, and the other factors."""
+    seed(SEED)  # sympy draws places at random, and may take for ever at some
     scale, factors = size.factor_list()
     still, others = algebra.ring.ground_new(scale), Powers()
     for factor, power in factors:
