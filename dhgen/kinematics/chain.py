@@ -8,7 +8,7 @@ is the document's U_i.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from dhgen.kinematics.drives import Drives
 from dhgen.kinematics.normal import normal_form
@@ -36,16 +36,28 @@ class Fixed:
 class Turn:
     """A rotation about z by the angle of a joint, times a sign."""
 
+    turns: ClassVar[bool] = True
     joint: int
     sign: int = 1
+
+    @property
+    def signed(self) -> tuple[tuple[int, int], ...]:
+        """The joint with the sign."""
+        return ((self.joint, self.sign),)
 
 
 @dataclass(frozen=True, slots=True)
 class Slide:
     """A translation along z by the length of a joint, times a sign."""
 
+    turns: ClassVar[bool] = False
     joint: int
     sign: int = 1
+
+    @property
+    def signed(self) -> tuple[tuple[int, int], ...]:
+        """The joint with the sign."""
+        return ((self.joint, self.sign),)
 
 
 @dataclass(frozen=True, slots=True)

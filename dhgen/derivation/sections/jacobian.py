@@ -108,21 +108,15 @@ def _rows(algebra: Algebra) -> list[tuple[Polynomial, ...]]:
         if isinstance(element, Fixed):
             continue
         before = compose(base, product(elements[:place], algebra), algebra.normal)
-        turns = isinstance(element, Turn) or (isinstance(element, Passive) and element.turns)
-        for joint, count in _moved_by(element):
+        for joint, count in element.signed:
             for row, entry in enumerate(before.column(2)):
-                columns[joint - 1][row + 3 * turns] += count * entry
+                columns[joint - 1][row + 3 * element.turns] += count * entry
         if isinstance(element, Turn):  # of all that its angle moves
             moved = (derivative(algebra, e, element.joint) for e in whole.translation)
             columns[element.joint - 1][:3] = moved
     columns = [[algebra.normal(entry) for entry in column] for column in columns]
     matrix = chain.drives.matrix.astype(int).tolist()
     return [_by_drives(algebra, row, matrix) for row in zip(*columns, strict=True)]
-
-
-def _moved_by(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
-    """The joints whose angles or lengths an element follows, with what these count."""
-    return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
 
 
 def _by_drives(

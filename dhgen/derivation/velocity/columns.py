@@ -8,7 +8,7 @@ from itertools import accumulate
 from operator import add
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.chain import Fixed, Passive, Slide, Turn
+from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import product, reversed_elements
 
 if TYPE_CHECKING:
@@ -106,14 +106,9 @@ def _view(algebra: Algebra, elements: list[Element], ends: list[int], start: int
     for place, element in enumerate(elements):
         if not isinstance(element, Fixed):
             at = between(algebra, elements, start, place)
-            turns = element.turns if isinstance(element, Passive) else isinstance(element, Turn)
-            axes.append(Axis(_movers(element), turns, at.column(2), at.translation))
+            axes.append(Axis(element.signed, element.turns, at.column(2), at.translation))
     frames = tuple(between(algebra, elements, start, end) for end in (*ends, len(elements)))
     return View(algebra, between(algebra, elements, start, 0), frames, tuple(axes))
-
-
-def _movers(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
-    return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
 
 
 def _added(old: Vector, new: Vector, factor: int) -> Vector:

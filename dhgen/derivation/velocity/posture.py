@@ -11,7 +11,7 @@ from operator import add
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.text.formula import Minus, Number, Power, Product, Quotient, Sum, Symbol
-from dhgen.kinematics.chain import Fixed, Passive, Turn
+from dhgen.kinematics.chain import Fixed
 from dhgen.kinematics.product import product
 from dhgen.robot.task import Directions
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.formula import Formula
-    from dhgen.kinematics.chain import Element, Slide
+    from dhgen.kinematics.chain import Element
     from dhgen.kinematics.constants import Polynomial
     from dhgen.kinematics.transform import Transform
 
@@ -48,7 +48,8 @@ class Motion:
         """What it gives a point of velocity, and the angular velocity."""
         if self.point is None:
             return self.axis, [0, 0, 0]
-        return crossed(self.axis, [a - b for a, b in zip(tip, self.point, strict=True)]), self.axis
+        z, arm = self.axis, [a - b for a, b in zip(tip, self.point, strict=True)]
+        return [z[i - 2] * arm[i - 1] - z[i - 1] * arm[i - 2] for i in range(3)], z
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,9 +99,7 @@ class Posture:
             for element in link:
                 if not isinstance(element, Fixed):
                     axis, point = ([row[column] for row in T] for column in (2, 3))
-                    motions.append(
-                        Motion(_movers(element), axis, point if _turns(element) else None)
-                    )
+                    motions.append(Motion(element.signed, axis, point if element.turns else None))
                 T = _chained(T, self._element(element))
             frames.append(T)
         frames.append(_chained(T, self._matrix(chain.tool)))
@@ -128,10 +127,10 @@ class Posture:
     def _element(self, element: Element) -> Rows:
         if isinstance(element, Fixed):
             return self._matrix(element.transform)
-        if _turns(element):
-            c, s = self._turned(_movers(element))
+        if element.turns:
+            c, s = self._turned(element.signed)
             return [[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0]]
-        length = sum(times * self.slides[joint] for joint, times in _movers(element))
+        length = sum(times * self.slides[joint] for joint, times in element.signed)
         return [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, length]]
 
     def _matrix(self, transform: Transform) -> Rows:
@@ -147,15 +146,6 @@ class Posture:
             used = zip(names, powers, strict=True)
             total += factor * prod(self.constants[name] ** power for name, power in used if power)
         return total
-
-
-def _turns(element: Turn | Slide | Passive) -> bool:
-    return element.turns if isinstance(element, Passive) else isinstance(element, Turn)
-
-
-def _movers(element: Turn | Slide | Passive) -> tuple[tuple[int, int], ...]:
-    """The joints that move an element, each with a factor."""
-    return element.signed if isinstance(element, Passive) else ((element.joint, element.sign),)
 
 
 @lru_cache(maxsize=8)
@@ -200,11 +190,6 @@ def spins_that_count(story: Story, frames: list[Rows]) -> list[Vector]:
         case Directions.PITCH if (frame := level_axis(story)) is not None:
             return [[row[2] for row in frames[frame]]]
     return []
-
-
-def crossed(a: Vector, b: Vector) -> Vector:
-    """The vector product."""
-    return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
 
 
 def _chained(A: Rows, B: Rows) -> Rows:
