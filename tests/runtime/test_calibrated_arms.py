@@ -258,10 +258,9 @@ def test_frames_may_be_anywhere_on_their_axes(kind: str, row: int, twist: float)
     numbers, blank = model(kind, "standard")
     numbers[part(kind, "calibrate").TABLE :] = nominal.ravel()
     arms = [blank.copy(), blank.copy()]
-    for given, arm in zip(
-        (table, [place_of(each) for each in (*origins, behind)]), arms, strict=True
-    ):
-        part(kind, "calibrate").calibrate(numbers, np.ravel(given).copy(), arm)
+    places = np.array([place_of(each) for each in (*origins, behind)])
+    for given, arm in ((table, arms[0]), (places, arms[1])):
+        part(kind, "calibrate").calibrate(numbers, given.ravel().copy(), arm)
     own, other = (arm[TURNED - NUMBERS : MOVED - NUMBERS + 1] for arm in arms)
     np.testing.assert_allclose(other, own, rtol=0.1)
     assert (own < 0.01).all()
