@@ -124,20 +124,21 @@ def test_slider_with_link() -> None:
         assert_close(forward(robot("planar_pr"), [q1, q2])[:2, 3], expected)
 
 
+@pytest.mark.parametrize("ahead", [1.0, -1.0])
 @pytest.mark.parametrize("side", [1.0, -1.0])
-def test_exercise_2_has_the_pose_of_its_sentence(side: float) -> None:
+def test_exercise_2_has_the_pose_of_its_sentence(side: float, ahead: float) -> None:
     """z_f at 45 degrees in the plane of x_0 and y_0, x_f upright, the origin at (-1, 2, 3)."""
     readme = Path(__file__).resolve().parents[2] / "docs/fr/README.md"
     text = readme.read_text(encoding="utf-8")
     (matrix,) = re.findall(r"U_0 = \\begin\{bmatrix\} (.*?) \\end\{bmatrix\}", text)
     half = r"\frac{\sqrt{2}}{2}"
-    values = {half: 1.0, f"-{half}": -1.0, rf"\pm{half}": side, rf"\mp{half}": -side}
-    values = {word: value * np.sqrt(0.5) for word, value in values.items()}
+    signs = {r"\sigma_x": side, r"\sigma_y": ahead, r"-\sigma_x": -side}
+    values = {f"{word} {half}": value * np.sqrt(0.5) for word, value in signs.items()}
     cells = [row.split(" & ") for row in matrix.split(r" \\ ")]
     U = np.array([[values[c] if c in values else float(c) for c in row] for row in cells])
     x, y, z, origin = U[:3].T
     assert_close(x, [0, 0, 1])
     assert_close(y, np.cross(z, x))
-    assert_close(z, [side * np.sqrt(0.5), np.sqrt(0.5), 0])
+    assert_close(z, [side * np.sqrt(0.5), ahead * np.sqrt(0.5), 0])
     assert_close(origin, [-1, 2, 3])
     assert U[3].tolist() == [0.0, 0.0, 0.0, 1.0]
