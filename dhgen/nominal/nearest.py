@@ -14,7 +14,7 @@ from dhgen.kinematics.rigid import inverse, orthonormal
 from dhgen.nominal.deviation import most_deviation
 from dhgen.nominal.fit import DIGITS, Fit, fitted
 from dhgen.nominal.lines import neighbours
-from dhgen.nominal.table import NONE_KEPT, rounded_table, small_lengths
+from dhgen.nominal.table import NONE_KEPT, lengths_of, rounded_table, small_lengths
 from dhgen.robot.angles import twelfths
 
 if TYPE_CHECKING:
@@ -127,13 +127,9 @@ def _exact(angle: float) -> float:
 
 def _is_missed(table: Table, found: tuple[Neighbours, ...]) -> bool:
     """Whether anything was rounded by more than rounding."""
-    pairs = zip((*table.alpha, *table.a, *table.d), _numbers(found), strict=True)
-    return any(abs(number - own) > EXACT for number, own in pairs)
-
-
-def _numbers(found: tuple[Neighbours, ...]) -> list[float]:
-    columns = [[each.alpha for each in found], [each.a for each in found]]
-    return [number for column in (*columns, [each.d for each in found]) for number in column]
+    own = *(each.alpha for each in found), *lengths_of(found)
+    pairs = zip((*table.alpha, *table.a, *table.d), own, strict=True)
+    return any(abs(rounded - number) > EXACT for rounded, number in pairs)
 
 
 def _frames(found: tuple[Neighbours, ...], directions: FloatArray) -> FloatArray:

@@ -80,7 +80,7 @@ def rounded_table(
     quarters = [_quarter(each.alpha) for each in found]
     lengths = [
         number if place in kept else _or_zero(number, size)
-        for place, number in enumerate(_lengths(found))
+        for place, number in enumerate(lengths_of(found))
     ]
     return Table(
         tuple(quarters),
@@ -97,12 +97,13 @@ def small_lengths(found: tuple[Neighbours, ...], size: float) -> tuple[int, ...]
     """Places of lengths, of a, then of d, that are nearly zero and not quite."""
     return tuple(
         place
-        for place, number in enumerate(_lengths(found))
+        for place, number in enumerate(lengths_of(found))
         if abs(number) > EXACT * size and not _or_zero(number, size)
     )
 
 
-def _lengths(found: tuple[Neighbours, ...]) -> list[float]:
+def lengths_of(found: tuple[Neighbours, ...]) -> list[float]:
+    """The lengths of common normals, then the offsets between their feet."""
     return [*(each.a for each in found), *(each.d for each in found)]
 
 

@@ -193,6 +193,21 @@ def ik_into(arm: Floats, T: Floats, q: Floats, status: Bytes, q_seed: Floats | N
         raise
 
 
+def seven_origins(origins: ArrayLike) -> Floats:
+    """A copy of origins (7, 6), with zeros for the frame behind the last joint if it is left out.
+
+    Raises:
+        ValueError: They are no real numbers, or have another shape.
+    """
+    given = numbers(origins, ORIGINS_SHAPE, "origins")
+    if given.shape == SIX_ORIGINS:
+        given = np.concatenate([given, np.zeros((1, SIX_ORIGINS[1]))])
+    if given.shape != ORIGINS_SHAPE:
+        shapes_taken = f"{ORIGINS_SHAPE} or {SIX_ORIGINS}"
+        raise ValueError(f"origins must have shape {shapes_taken}, not {given.shape}")
+    return given.copy()
+
+
 @dataclass(frozen=True, slots=True)
 class OwnKind:
     """What a generated module has of its own.
@@ -270,13 +285,7 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         Raises:
             ValueError: As of `calibrated`.
         """
-        given = numbers(origins, ORIGINS_SHAPE, "origins")
-        if given.shape == SIX_ORIGINS:
-            given = np.concatenate([given, np.zeros((1, SIX_ORIGINS[1]))])
-        if given.shape != ORIGINS_SHAPE:
-            shapes_taken = f"{ORIGINS_SHAPE} or {SIX_ORIGINS}"
-            raise ValueError(f"origins must have shape {shapes_taken}, not {given.shape}")
-        return taken(given.copy())
+        return taken(seven_origins(origins))
 
     def warm_up() -> None:
         """Compiles everything, or gets it from numba's cache: no call waits for it later."""
