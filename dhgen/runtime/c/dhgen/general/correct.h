@@ -196,19 +196,25 @@ DHGEN_INLINE dhgen_lane dhgen_correct_lanes(const dhgen_loop *loop, const dhgen_
     dhgen_lane angle[6], dhgen_lane c[6], dhgen_lane s[6])
 {
     const dhgen_lane longest = dhgen_lane_all(DHGEN_LONGEST_CORRECTION);
-    dhgen_lane A[6][5], x[6], most = dhgen_lane_all(1.0), sum = most, square = most;
-    for (int n = 0; n < DHGEN_CORRECTIONS && dhgen_lane_largest(most) > DHGEN_LAST_CORRECTION;
-         n++) {
+    const dhgen_lane last = dhgen_lane_all(DHGEN_LAST_CORRECTION);
+    dhgen_lane A[6][5], x[6], most, sum, square;
+    for (int n = 0;; n++) {
         square = dhgen_middle_miss(loop, middle, c, s, A);
         dhgen_correction(middle, A, x);
         most = sum = dhgen_lane_all(0.0);
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
             x[i] = dhgen_lane_max(-longest, dhgen_lane_min(longest, x[i]));
-            dhgen_turn_by(x[i], &c[i], &s[i]);
             angle[i] += x[i];
             most = dhgen_lane_max(most, dhgen_lane_abs(x[i]));
             sum += dhgen_lane_abs(x[i]);
+        }
+        if (n == DHGEN_CORRECTIONS - 1 || !dhgen_lane_any_above(most, last)) {
+            break;
+        }
+        DHGEN_UNROLL
+        for (int i = 0; i < 6; i++) {
+            dhgen_turn_by(x[i], &c[i], &s[i]);
         }
     }
     return dhgen_lane_select(

@@ -170,12 +170,43 @@ DHGEN_INLINE dhgen_lane dhgen_lane_all(double x)
 
 DHGEN_INLINE dhgen_lane dhgen_lane_max(dhgen_lane a, dhgen_lane b)
 {
+#if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
+    return (dhgen_lane)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
+    return (dhgen_lane)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
     return dhgen_lane_select(a > b, a, b);
+#endif
 }
 
 DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
 {
+#if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
+    return (dhgen_lane)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
+    return (dhgen_lane)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
     return dhgen_lane_select(a < b, a, b);
+#endif
+}
+
+/* Whether a number of some lane is above another one. */
+DHGEN_INLINE int dhgen_lane_any_above(dhgen_lane a, dhgen_lane b)
+{
+#if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
+    return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_GT_OQ) != 0;
+#elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
+    return _mm256_movemask_pd(_mm256_cmp_pd((__m256d)a, (__m256d)b, _CMP_GT_OQ)) != 0;
+#elif DHGEN_GENERAL_LANES > 1
+    const dhgen_mask above = a > b;
+    int any = 0;
+    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        any |= above[k] != 0;
+    }
+    return any;
+#else
+    return a > b;
+#endif
 }
 
 /* Cosine and sine of an angle within a few turns of zero, within 2 ulp: of what is left of the
