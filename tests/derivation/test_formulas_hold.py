@@ -105,7 +105,7 @@ def given_to_steps(of: Story) -> list[Relation]:
     blocks = inverse_beginning(of)
     for number in range(1, len(of.steps) + 1):
         blocks += [*known_side_blocks(of, number), *element_blocks(of, number)]
-    return relations([*blocks])
+    return relations([*unfolded(blocks)])
 
 
 def with_entries(of: Story, letters: Letters) -> Letters:

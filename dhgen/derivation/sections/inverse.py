@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import groupby
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.names import BASE, POSE, TOOL, letter, link, pose_letter, target
+from dhgen.derivation.notation.names import BASE, POSE, TOOL, link, target
 from dhgen.derivation.notation.names import inverse as inverse_name
-from dhgen.derivation.notation.polynomial import Writer, alphabet
 from dhgen.derivation.sections.forward import given_pose, moved_left, tool_back
+from dhgen.derivation.sections.given_entries import given_entries
 from dhgen.derivation.sections.shoulder import shoulder_blocks
 from dhgen.derivation.sections.types_table import types_table
 from dhgen.derivation.steps import leaves_a_joint_free
@@ -16,22 +15,19 @@ from dhgen.derivation.text.blocks import (
     Given,
     Heading,
     Paragraph,
-    display,
     joined,
     paragraph,
     say,
     sentences,
 )
 from dhgen.derivation.text.formula import Listing, Symbol, equal, times
-from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import task_entries
-from dhgen.kinematics.transform import Transform, compose, identity, inverse
+from dhgen.kinematics.transform import identity
 from dhgen.robot.task import Directions, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
-    from dhgen.derivation.text.formula import Formula
 
 
 SEED = (
@@ -86,7 +82,7 @@ def _given(story: Story) -> list[Block]:
             )
         )
     if left or right:
-        blocks += _entries(story, left=left, right=right)
+        blocks += given_entries(story)
     return blocks
 
 
@@ -134,39 +130,6 @@ def _named(story: Story) -> Prose:
         return say("the nine of the rotation")
     known = sorted(story.derivation.problem.known)
     return say("{}", Listing(tuple(story.letters[name] for name in known)))
-
-
-def _entries(story: Story, *, left: bool, right: bool) -> list[Block]:
-    """The entries of U_0 by POS = (p_ij), or (m_ij) where points of axes are called p."""
-    algebra = story.algebra
-    problem = story.derivation.problem
-    entry = [[algebra.generator(f"t{i}{j}") for j in range(1, 5)] for i in range(1, 4)]
-    given = Transform(tuple(tuple(row[:3]) for row in entry), tuple(row[3] for row in entry))
-    if left:
-        back = inverse(algebra.lift(algebra.chain.base), algebra.normal)
-        given = compose(back, given, algebra.normal)
-    if right:
-        back = inverse(problem.tool_left, algebra.normal)
-        given = compose(given, back, algebra.normal)
-    letters = dict(story.letters)
-    named = pose_letter(letters)
-    for i in range(1, 4):
-        for j in range(1, 5):
-            letters[f"t{i}{j}"] = letter(named, named, f"{i}{j}", f"p{i}{j}")
-    writer = Writer(alphabet(algebra, letters), lambda _: 0)
-    same: list[Formula] = []
-    other: list[Formula] = []
-    known = sorted(problem.known, key=lambda name: (name[2], name[1]))
-    for _, column in groupby(known, key=lambda name: name[2]):
-        values = {name: given.entry(*POSE_PLACES[name]) for name in column}
-        lines = [equal(story.letters[name], writer.write(value)) for name, value in values.items()]
-        if all(value == algebra.generator(name) for name, value in values.items()):
-            same.append(Listing(tuple(lines)))
-        else:
-            other += lines
-    entries = equal(POSE, Symbol(f"({named}_{{ij}})", f"({named}ᵢⱼ)"))
-    shown = [display(*each) for each in (same, other) if each]
-    return [paragraph("With {} its entries are", entries), *shown]
 
 
 def _left_over(story: Story) -> list[Block]:
