@@ -2,6 +2,7 @@
 
 Turning about one of them can be undone about the other: the orientation gives the sum of their
 angles where the axes have one direction, and the difference where they are opposite (document 004).
+The entries of a known matrix say what it is where they are read with the joint between at rest.
 """
 
 from __future__ import annotations
@@ -9,16 +10,31 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.notation.names import cosine, sine, single, theta
+from dhgen.derivation.notation.matrices import expanded, of_single
+from dhgen.derivation.notation.names import cosine, sine, single, target, theta
 from dhgen.derivation.text.blocks import say
-from dhgen.derivation.text.formula import ONE, add, equal, minus, subtract
+from dhgen.derivation.text.formula import (
+    ONE,
+    ZERO,
+    Minus,
+    Symbol,
+    add,
+    atan2,
+    equal,
+    minus,
+    subtract,
+)
 from dhgen.derivation.text.words import joined as listed
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.chain import Turn, parallel_groups
 from dhgen.kinematics.product import product
-from dhgen.kinematics.ring import used_places
+from dhgen.kinematics.ring import substitute, used_places
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping
+
+    from dhgen.derivation.notation.matrices import Form
+    from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Prose
     from dhgen.derivation.text.formula import Formula
     from dhgen.kinematics.algebra import Algebra
@@ -32,14 +48,26 @@ class SumLeft:
     Attributes:
         axes: The numbers of all axes that are parallel then.
         pair: The two angles; each may be a sum of those of its own parallel axes.
-        between: The cosine or sine of the joint between them, 1 or -1 there.
+        joint: The one between them.
+        by_sine: Whether its sine vanishes there, and not its cosine.
         facing: 1 when the sum is known where `between` is 1, -1 when the difference is.
     """
 
     axes: tuple[int, ...]
     pair: tuple[AngleSum, AngleSum]
-    between: Formula
+    joint: int
+    by_sine: bool
     facing: int
+
+    @property
+    def between(self) -> Formula:
+        """The cosine or sine of the joint between, 1 or -1 there."""
+        return (cosine if self.by_sine else sine)(single(self.joint))
+
+    @property
+    def vanishing(self) -> Formula:
+        """Its other function."""
+        return (sine if self.by_sine else cosine)(single(self.joint))
 
     def combination(self, between: int) -> Formula:
         """What is known where the joint between has 1 or -1."""
@@ -97,6 +125,77 @@ def sum_left(algebra: Algebra, joints: Polynomial | None) -> SumLeft | None:
     return SumLeft(
         tuple(joint for run in runs for joint, _ in run),
         (AngleSum(runs[0]), AngleSum(runs[1])),
-        (cosine if by_sine else sine)(single(k)),
+        k,
+        by_sine,
         facing if lean == straight else -facing,
     )
+
+
+def read_off(story: Story, number: int, left: SumLeft) -> Prose | None:
+    """What the sum and the difference are, by two entries of a known matrix.
+
+    Args:
+        story: The derivation.
+        number: The step whose angle is free there, from 1.
+        left: Of which angles.
+
+    Returns:
+        A sentence; None where no column of a known matrix has letters that say it.
+    """
+    for name, form, letters in _known_forms(story, number):
+        for column in range(3):
+            told = [_told(story, form, letters, column, left, sign) for sign in (1, -1)]
+            if told[0] is not None and told[1] is not None:
+                return say(
+                    "With {} the entries of {} give {} ({}) or {} ({}).",
+                    equal(left.vanishing, ZERO),
+                    name,
+                    told[0],
+                    equal(left.between, ONE),
+                    told[1],
+                    equal(left.between, minus(ONE)),
+                )
+    return None
+
+
+def _known_forms(
+    story: Story, number: int
+) -> Iterator[tuple[Formula, Form, Mapping[Polynomial, Formula]]]:
+    """The matrix with letters, and U_0."""
+    side = story.known_side
+    if side is not None and side.after < number:
+        yield side.symbol, story.form(side.place), side.letters
+    yield target(0), story.form((0, story.dof, False, False)), {}
+
+
+def _told(
+    story: Story,
+    form: Form,
+    letters: Mapping[Polynomial, Formula],
+    column: int,
+    left: SumLeft,
+    between: int,
+) -> Formula | None:
+    """theta_4 + theta_6 = atan2(u_21, u_11), by the entries of a column; else None."""
+    algebra = story.algebra
+    sign = between * left.facing
+    first, second = left.pair
+    turned = AngleSum((*first.terms, *((joint, sign * each) for joint, each in second.terms)))
+    wanted = of_single(algebra, turned)
+    straight = {
+        algebra.index[single(left.joint).cosine]: algebra.ring(between if left.by_sine else 0),
+        algebra.index[single(left.joint).sine]: algebra.ring(0 if left.by_sine else between),
+    }
+    found: dict[int, Formula] = {}
+    for row in range(3):
+        entry = substitute(expanded(algebra, form.right.entry(row, column)), straight)
+        for place, function in enumerate(wanted):
+            facing = (entry == function) - (entry == -function)
+            known = story.written_with(facing * form.left.entry(row, column), letters)
+            if facing and isinstance(known.operand if isinstance(known, Minus) else known, Symbol):
+                found[place] = known
+    if len(found) < 2:
+        return None
+    if sign < 0 and isinstance(found[1], Minus):  # theta_6 - theta_4 has the opposite sine
+        return equal(subtract(theta(second), theta(first)), atan2(minus(found[1]), found[0]))
+    return equal(left.combination(between), atan2(found[1], found[0]))

@@ -9,10 +9,15 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.derivation.steps import step_blocks
+from dhgen.derivation.sums_left import read_off
+from dhgen.derivation.text.formula import Relation
 from dhgen.derivation.values import letters_of_joints
 from dhgen.kinematics.numeric import numeric_arm
 from tests.derivation.made import made_for
 from tests.derivation.stories import document, story, story_of
+from tests.derivation.test_formulas_hold import with_entries, with_pose
+from tests.derivation.values import evaluate
 from tests.kinematics.values import table
 
 if TYPE_CHECKING:
@@ -76,6 +81,32 @@ def check_combinations(text: str, of: Story) -> None:
         R, same, other = (arm.pose(each[None])[0][:3, :3] for each in (q, kept, changed))
         assert np.allclose(R, same, atol=1e-12)
         assert np.abs(R - other).max() > 0.1
+
+
+READ = ["rrprrr", "arm_6r", "puma", "stanford", "wrist_cardan", "wrist_zxz", "wrist_zyz"]
+
+
+@pytest.mark.parametrize("name", READ)
+def test_the_combination_is_what_the_entries_of_the_matrix_say(name: str) -> None:
+    """Document 004: q4 + q6 = atan2(A_3, A_1) where c5 = 1, q6 - q4 = atan2(A_3, -A_1) else."""
+    of = story(name)
+    lost = [each for step in range(len(of.steps)) for each in step_blocks(of, step + 1)[1]]
+    (left,) = (each for each in lost if each.left is not None)
+    assert left.left is not None
+    told = read_off(of, left.step, left.left)
+    assert told is not None
+    relations = [part for part in told.parts if isinstance(part, Relation)]
+    draw = np.random.default_rng(3)
+    for combination, (between, value) in zip(
+        relations[1::2], ((1, 0.0), (-1, math.pi)), strict=True
+    ):
+        q = draw.uniform(-3.0, 3.0, of.dof)
+        middle = value if left.left.by_sine else between * math.pi / 2
+        joint = of.algebra.chain.joints[left.left.joint - 1]
+        q[joint.number - 1] = joint.sign * (middle - joint.offset)
+        letters = with_entries(of, with_pose(of, q.tolist()))
+        known, by_entries = (evaluate(side, letters) for side in combination.sides)
+        assert math.isclose(math.remainder(known - by_entries, 2 * math.pi), 0.0, abs_tol=1e-9)
 
 
 def test_the_table_of_the_singular_example_has_them_by_row() -> None:

@@ -21,7 +21,8 @@ from dhgen.derivation.effects import (
 from dhgen.derivation.known_functions import by_joints
 from dhgen.derivation.notation.names import cosine, sine, theta
 from dhgen.derivation.step_context import Singularity, StepText, type_letter
-from dhgen.derivation.text.blocks import display, paragraph, say
+from dhgen.derivation.sums_left import read_off
+from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say, sentences
 from dhgen.derivation.text.formula import (
     ZERO,
     Formula,
@@ -104,15 +105,11 @@ def _homogeneous(context: StepContext) -> StepText:
     ):
         return StepText((*blocks, paragraph("There is always a solution.")))
     free = free_without_right_side(context, second)
-    blocks.append(
-        paragraph(
-            "There is always a solution. Degenerate when {}: {}. Then {}.",
-            free.condition,
-            free.meaning,
-            free.effect,
-        )
-    )
-    return StepText(tuple(blocks), (free,))
+    text = "There is always a solution. Degenerate when {}: {}. Then {}."
+    told = [say(text, free.condition, free.meaning, free.effect)]
+    if free.left is not None:
+        told += filter(None, [read_off(context.story, context.number, free.left)])
+    return StepText((*blocks, Paragraph(sentences(told))), (free,))
 
 
 def _combination(context: StepContext, remembered: Remembered, size: Formula) -> Formula:
