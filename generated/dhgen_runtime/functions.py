@@ -127,21 +127,43 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         how: How the functions of its file are compiled.
         solver: What is the robot's own.
     """
-    dof, rows, given = robot["DOF"], robot["MAX_SOLUTIONS"], solver.given
-    texts = {**vars(velocities), **vars(tiles), **vars(one_pose)}
-    texts |= vars(calls_given if given else calls)
-    facts = {
+    facts = _facts(robot, solver)
+    names = _names(robot, how, solver) | facts
+    _add_compiled(names, how, solver)
+    for name in ("look_at", "many", *PUBLIC):
+        names[name] = again(names[name], names)
+    if solver.at_once and COMPILED:
+        _solve_at_once(names, how, solver)
+    for name in PUBLIC:
+        text = names[name].__doc__
+        names[name].__doc__ = text and text.format(**facts)  # `python -OO` leaves out all
+    overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
+    overload(names["joint_velocities"], strict=False)(lambda *_: names["compiled_velocities"])
+    return names
+
+
+def _facts(robot: Mapping[str, Any], solver: Solver) -> dict[str, Any]:
+    """What the texts for users say of a robot, by the names that stand in them."""
+    given = solver.given
+    return {
         "given": what_is_given(robot) if given else "",
         "allocates": "only where a pose is singular or rounded" if solver.formulas else ALWAYS,
-        "DOF": dof,
-        "ROWS": rows,
+        "DOF": robot["DOF"],
+        "ROWS": robot["MAX_SOLUTIONS"],
         "GIVEN": given,
         "given_shape": "(N,) or (N, 1)" if given == 1 else f"(N, {given})",
     }
+
+
+def _names(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[str, Any]:
+    """What the functions of a robot name, but for each other and for what texts say of it."""
+    dof, rows, given = robot["DOF"], robot["MAX_SOLUTIONS"], solver.given
     called = [name if name in robot else None for name in CALLED]
-    names = {
-        **texts,
-        **facts,
+    return {
+        **vars(velocities),
+        **vars(tiles),
+        **vars(one_pose),
+        **vars(calls_given if given else calls),
         "arm": solver.arm,
         "counted": solver.counted,
         "robot": how.addresses(*called),
@@ -166,8 +188,13 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
         **(_given_names(robot, solver) if given else {}),
     }
 
+
+def _add_compiled(names: dict[str, Any], how: Compiling, solver: Solver) -> None:
+    """Makes the compiled functions of a robot anew; each finds in `names` what it calls."""
+    dof = names["DOF"]
+
     def add(name: str, compiled: Callable[[Any], Any] = lambda function: function) -> None:
-        names[name] = compiled(again(texts[name], names))
+        names[name] = compiled(again(names[name], names))
 
     def zeros(seed: Any) -> Any:  # noqa: ANN401
         for i in range(dof):
@@ -180,7 +207,7 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     names["regular"] = names[fast]
     for name in ("read", "is_exact"):
         add(name, how.njit(forceinline=True))
-    if given:
+    if solver.given:
         add("given_values")
     turns = "turned_alone" if solver.arm[COUPLING] == 0.0 else "turned_together"
     add(turns, how.merged)
@@ -196,16 +223,6 @@ def of_robot(robot: Mapping[str, Any], how: Compiling, solver: Solver) -> dict[s
     add("velocities_at", how.jit)
     add("compiled_velocities", how.owned)
     add("compiled_into", how.owned)
-    for name in ("look_at", "many", *PUBLIC):
-        add(name)
-    if solver.at_once and COMPILED:
-        _solve_at_once(names, how, solver)
-    for name in PUBLIC:
-        text = texts[name].__doc__
-        names[name].__doc__ = text and text.format(**facts)  # `python -OO` leaves out all
-    overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
-    overload(names["joint_velocities"], strict=False)(lambda *_: names["compiled_velocities"])
-    return names
 
 
 def _solve_at_once(names: dict[str, Any], how: Compiling, solver: Solver) -> None:

@@ -123,21 +123,6 @@ def jax_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
     jax: Any = importlib.import_module("jax")
     arm = Arm(robot)
 
-    def called(
-        function: Callable[..., Iterable[Array]],
-        shapes: tuple[tuple[int, ...], ...],
-        numbers: tuple[Any, ...],
-        *arrays: Array,
-    ) -> Any:  # noqa: ANN401
-        """What a function of NumPy's arrays returns, in jit, too."""
-
-        def call(*values: Array) -> tuple[Array, ...]:
-            found = zip(function(*map(np.asarray, values)), numbers, strict=True)
-            return tuple(np.asarray(each, number) for each, number in found)
-
-        results = tuple(map(jax.ShapeDtypeStruct, shapes, numbers))
-        return jax.pure_callback(call, results, *arrays, vmap_method="broadcast_all")
-
     @jax.custom_jvp  # type: ignore[untyped-decorator]
     def rows(T: Array, *q_free: Array) -> tuple[Array, Array]:
         arm.checked(T, *q_free)
@@ -173,6 +158,30 @@ def jax_ik(robot: ModuleType) -> Callable[..., tuple[Array, Array]]:
         return found
 
     return ik
+
+
+def called(
+    function: Callable[..., Iterable[Array]],
+    shapes: tuple[tuple[int, ...], ...],
+    numbers: tuple[Any, ...],
+    *arrays: Array,
+) -> Any:  # noqa: ANN401
+    """What a function of NumPy's arrays returns for JAX's, in jit, too.
+
+    Args:
+        function: It returns a few arrays.
+        shapes: Theirs.
+        numbers: The types of their numbers.
+        arrays: What it takes.
+    """
+    jax: Any = importlib.import_module("jax")
+
+    def call(*values: Array) -> tuple[Array, ...]:
+        found = zip(function(*map(np.asarray, values)), numbers, strict=True)
+        return tuple(np.asarray(each, number) for each, number in found)
+
+    results = tuple(map(jax.ShapeDtypeStruct, shapes, numbers))
+    return jax.pure_callback(call, results, *arrays, vmap_method="broadcast_all")
 
 
 def on_gpu(array: Array) -> bool:

@@ -37,7 +37,7 @@ from .velocities import find_velocities
 from .words import no_pose, no_row
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Mapping
+    from collections.abc import Callable, Iterable, Mapping
 
     from numpy.typing import ArrayLike
 
@@ -231,31 +231,83 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         how: How the functions of its file are compiled.
         own: What is its own.
     """
-    rows, texts = module["MAX_SOLUTIONS"], globals()
-    messages = no_pose(module, "pose"), no_row(module, "pose", (True,) * 3), unreachable(module)
     kind, blank = kind_numbers(own.kind), blank_numbers(own.kind)
-    names = {
-        **texts,
+    names = _names(module, own, len(blank))
+    _add_compiled(names, how, own)
+    names["Unreachable"] = unreachable(module)
+    messages = no_pose(module, "pose"), no_row(module, "pose", (True,) * 3), names["Unreachable"]
+    names["choice"] = lambda arm: Choice(arm, module["BRANCHES"], *messages)
+    names["worked_out"] = _worked_out(kind, blank)
+    for each in _constructors(names, kind, blank):
+        each.__module__ = module["__name__"]
+        each.__qualname__ = each.__name__  # by which arms are pickled
+        names[each.__name__] = each
+    compilers = (
+        how.compile_apart, SERIAL.compile_apart, compile_general, *compilers_of(blank),
+    )  # fmt: skip
+    names["warm_up"] = _warm_up(names, own, compilers)
+    return names
+
+
+def _names(module: Mapping[str, Any], own: OwnKind, size: int) -> dict[str, Any]:
+    """What the functions of a kind name, but for each other.
+
+    Args:
+        module: The names of the module.
+        own: What is its own.
+        size: How many numbers an arm has.
+    """
+    rows = module["MAX_SOLUTIONS"]
+    return {
+        **globals(),
         "places": own.formulas.table,
         "ROWS": rows,
-        "ALL_NUMBERS": len(blank),
+        "ALL_NUMBERS": size,
         "shapes": f"T, q and status must have shapes (4, 4), ({rows}, {JOINTS}), ({rows},)",
         "unit": own.unit,
         "__name__": module["__name__"],
     }
 
-    def choice(arm: Floats) -> Choice:
-        return Choice(arm, module["BRANCHES"], *messages)
+
+def _add_compiled(names: dict[str, Any], how: Compiling, own: OwnKind) -> None:
+    """Makes the compiled functions of a kind anew; each finds in `names` what it calls."""
+
+    def add(name: str, compiled: Callable[[Any], Any]) -> None:
+        names[name] = compiled(again(names[name], names))
+
+    names["filled_at"] = filled_of(how, own.formulas, 0)
+    add("solve_from_nominal", how.merged)
+    add("to_nominal_rows", how.merged)
+    add("solve", how.apart(SOLVES))
+    names["robot"] = how.addresses("solve", None, None, None, None)
+    for name in ("seeded", "pose_at", "jacobian_at", "velocities_at"):
+        add(name, how.jit)
+    add("many", how.njit(nogil=True))
+    add("compiled_into", how.owned)
+    add("ik_into", lambda function: function)
+    overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
+
+
+def _worked_out(kind: Floats, blank: Floats) -> Callable[[Floats], tuple[Floats, int]]:
+    """A function of a table, or origins: the numbers of that arm, and what `calibrate` returns."""
 
     def worked_out(given: Floats) -> tuple[Floats, int]:
         arm = blank.copy()
         with np.errstate(all="ignore"):  # in plain Python overflows would be warned of
             return arm, calibrate(kind, given.ravel(), arm)
 
+    return worked_out
+
+
+def _constructors(
+    names: Mapping[str, Any], kind: Floats, blank: Floats
+) -> tuple[Callable[[ArrayLike], CalibratedArm], ...]:
+    """The functions that make arms of a kind, with the texts that users read."""
+
     def taken(given: Floats) -> CalibratedArm:
-        arm, fault = worked_out(given)
+        arm, fault = names["worked_out"](given)
         if fault != TAKEN:
-            raise ValueError(refusal(Refused(kind, blank, given, own.unit), fault))
+            raise ValueError(refusal(Refused(kind, blank, given, names["unit"]), fault))
         return CalibratedArm(given, arm, names)
 
     def calibrated(table: ArrayLike) -> CalibratedArm:
@@ -287,45 +339,26 @@ def of_kind(module: Mapping[str, Any], how: Compiling, own: OwnKind) -> dict[str
         """
         return taken(seven_origins(origins))
 
+    return calibrated, calibrated_by_origins
+
+
+def _warm_up(
+    names: Mapping[str, Any], own: OwnKind, compilers: Iterable[Callable[[], None]]
+) -> Callable[[], None]:
+    """The function that compiles what an arm of a kind needs, and the files of the runtime."""
+
     def warm_up() -> None:
         """Compiles everything, or gets it from numba's cache: no call waits for it later."""
-        arm, _ = worked_out(np.array(own.kind.table))
-        warm = CalibratedArm(np.array(own.kind.table), arm, names)
-        zero = np.zeros(JOINTS)
+        table, zero = np.array(own.kind.table), np.zeros(JOINTS)
+        arm, _ = names["worked_out"](table)
+        warm = CalibratedArm(table, arm, names)
         T = warm.fk(zero)
         warm.jacobian(zero)
         warm.joint_velocities(zero, zero)
         q, status = warm.ik_all(T)
-        choice(arm).nearest_row(q, status, zero, True, np.empty(JOINTS))
+        names["choice"](arm).nearest_row(q, status, zero, True, np.empty(JOINTS))
         warm.ik_batch(T[np.newaxis])
-        for compile_all in (
-            how.compile_apart, SERIAL.compile_apart, compile_general, *compilers_of(blank),
-        ):  # fmt: skip
+        for compile_all in compilers:
             compile_all()
 
-    def add(name: str, compiled: Callable[[Any], Any]) -> None:
-        names[name] = compiled(again(texts[name], names))
-
-    names["filled_at"] = filled_of(how, own.formulas, 0)
-    add("solve_from_nominal", how.merged)
-    add("to_nominal_rows", how.merged)
-    add("solve", how.apart(SOLVES))
-    names["robot"] = how.addresses("solve", None, None, None, None)
-    for name in ("seeded", "pose_at", "jacobian_at", "velocities_at"):
-        add(name, how.jit)
-    add("many", how.njit(nogil=True))
-    add("compiled_into", how.owned)
-    names["ik_into"] = again(ik_into, names)
-    overload(names["ik_into"], strict=False)(lambda *_, **__: names["compiled_into"])
-    for each in (calibrated, calibrated_by_origins):
-        each.__module__ = module["__name__"]
-        each.__qualname__ = each.__name__  # by which arms are pickled
-    names.update(
-        choice=choice,
-        Unreachable=messages[-1],
-        worked_out=worked_out,
-        calibrated=calibrated,
-        calibrated_by_origins=calibrated_by_origins,
-        warm_up=warm_up,
-    )
-    return names
+    return warm_up

@@ -176,6 +176,17 @@ def _angles_to_try(
     return total, first_double
 
 
+@inner
+def _factors_from(
+    E: Floats, places: Floats, first: int, total: int, cosines: Floats, sines: Floats
+) -> Floats:
+    """Returns what folding leaves at the next angles to try; fills their cosines and sines."""
+    for k in range(SAMPLES):
+        angle = places[min(first + k, total - 1)]
+        cosines[k], sines[k] = math.cos(angle), math.sin(angle)
+    return fold(E, cosines, sines, np.empty(SAMPLES))
+
+
 @apart(
     "Tuple((boolean, int64))(float64[::1], int64, float64[:, ::1], float64[:, ::1], float64[::1], "
     "int64[::1], int64[::1], int64)"
@@ -212,7 +223,7 @@ def try_formulation(
     total, first_double = _angles_to_try(E, roots, counts, places, beside)
     first_beside = first_double - beside.sum()
     met = np.zeros(PLACES, dtype=np.int64)
-    cosines, sines, determinant = np.empty(SAMPLES), np.empty(SAMPLES), np.empty(SAMPLES)
+    cosines, sines = np.empty(SAMPLES), np.empty(SAMPLES)
     c, s = carray(room(6), 6), carray(room(6), 6)
     tc, ts = carray(room(6), 6), carray(room(6), 6)
     vectors, expected, true_doubles = np.empty((5, 6)), simple, 0
@@ -220,10 +231,7 @@ def try_formulation(
     for i in range(total):
         at = i % SAMPLES
         if at == 0:
-            for k in range(SAMPLES):
-                angle = places[min(i + k, total - 1)]
-                cosines[k], sines[k] = math.cos(angle), math.sin(angle)
-            factors = fold(E, cosines, sines, determinant)
+            factors = _factors_from(E, places, i, total, cosines, sines)
         cosine, sine = cosines[at], sines[at]
         met_here = singular_here = False
         ways, regular = null_vectors(factors, at, i >= simple, vectors)
