@@ -51,13 +51,6 @@ def c_array(head: str, entries: Iterable[str]) -> str:
     return "\n".join([f"{head} = {{", *listed(texts, INDENT), "};"])
 
 
-def python_array(head: str, entries: Iterable[str]) -> str:
-    """A call with a list, e.g. `x = np.array([1.0])` with the head `x = np.array`."""
-    texts = list(entries)
-    line = f"{head}([{', '.join(texts)}])"
-    return line if len(line) <= WIDTH else "\n".join([f"{head}([", *listed(texts, INDENT), "])"])
-
-
 def call(head: str, arguments: Sequence[str], tail: str, indent: str = "") -> str:
     """A call or a prototype, broken between its arguments if it is too long."""
     line = f"{indent}{head}({', '.join(arguments)}){tail}"

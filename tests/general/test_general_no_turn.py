@@ -27,28 +27,6 @@ if TYPE_CHECKING:
 pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files
 
 POSES = 2
-# At NEARLY another way to stand takes the tool to the same place but for 8e-6.
-TWISTED = """name: arm
-joints:
-  - {theta: q, d: 0.007, a: 0.126, alpha: 2.487}
-  - {theta: q, d: -0.046, a: -0.211, alpha: 1.609}
-  - {theta: q, d: 0.152, a: 0.186, alpha: 2.135}
-  - {theta: q, d: -0.028, a: 0.209, alpha: -0.848}
-  - {theta: q, d: 0.150, a: -0.235, alpha: -2.558}
-tool: {xyz: [0.05, 0.02, 0.11], rpy: [0.3, 0.4, -0.2]}
-"""
-NEARLY = (1.11882171, 2.53570551, -0.09606933, 2.52138356, 3.13879235)
-# Axes 1, 2 and 3 meet. Where the tool's point comes next to where they do, joint values in a long
-# row take the tool to the same place but for some 1e-9.
-AIMED = """name: arm
-task: pointing
-joints:
-  - {theta: q - pi/2, alpha: pi/2}
-  - {theta: q, alpha: pi/2}
-  - {theta: q, d: 0.508, a: 0.137, alpha: pi/2}
-  - {theta: q + 0.4, alpha: -pi/2}
-"""
-NEXT_TO_SINGULAR = (1.592058934, -0.189639291, 0.606465747, 2.478174412)
 
 
 def solved(chain: Chain, T: np.ndarray, values: list[float] | None = None) -> Rows:

@@ -14,7 +14,7 @@ import pytest
 from numba import njit
 
 from dhgen.runtime.python import angles
-from dhgen.targets.arctangent import STEEP, arctangent_coefficients
+from tests.runtime.arctangent import STEEP, arctangent_coefficients
 from tests.runtime.plain import part
 
 if TYPE_CHECKING:

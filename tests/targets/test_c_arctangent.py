@@ -8,7 +8,7 @@ import subprocess
 import pytest
 
 from dhgen.runtime import c_runtime_files
-from dhgen.targets.arctangent import STEEP, arctangent_coefficients
+from tests.runtime.arctangent import STEEP, arctangent_coefficients
 from tests.structures import first_of
 from tests.targets.made import folder, made
 

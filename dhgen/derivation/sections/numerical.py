@@ -41,7 +41,6 @@ if TYPE_CHECKING:
 REGULAR = 0.05  # least singular value of the task's rows, lengths in arm sizes
 NEAREST = 1e-7  # of the way to the seed along motions that keep the tool: none is left [rad]
 E, HAT_J, SEED = Symbol("e", "e"), Symbol(r"\hat J", "J^"), Symbol(r"q^{\mathrm{seed}}", "q,seed")
-AWAY = subtract(Symbol("q", "q"), SEED)
 STEP, TRANSPOSED = Symbol(r"\Delta q", "Δq"), Symbol(r"\hat J^{T}", "J^ᵀ")
 
 

@@ -1,4 +1,6 @@
-"""The arctangent of generated code: a polynomial without branches, the same in every language.
+"""Where the coefficients of the runtime's arctangent come from.
+
+It is a polynomial without branches, the same in every language.
 
 With L the longer and S the shorter of |x| and |y|, r = S / L, or (S - L) / (S + L) where S / L is
 above tan(pi/8), so that |r| <= tan(pi/8) always; then atan r = r + r u p(u), u = r^2, moved by a
