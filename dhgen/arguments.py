@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 
 from dhgen import __version__
-from dhgen.descriptions.snap import DEFAULT, LITTLE, MOST
+from dhgen.descriptions.snap import DEFAULT, MOST, NEGLIGIBLE
 from dhgen.robot.source import quoted
 from dhgen.robot.task import ARM_ANGLE
 
@@ -183,7 +183,7 @@ def import_parser() -> argparse.ArgumentParser:
         type=_tolerance,
         metavar="TOL",
         help="take as exact what is nearer than this to a multiple of 15 degrees [rad], or to zero "
-        f"[arm sizes] (default: {DEFAULT:g} and {LITTLE:g}; 1.57 needs 1e-3)",
+        f"[arm sizes] (default: {DEFAULT:g} and {NEGLIGIBLE:g}; 1.57 needs 1e-3)",
     )
     _add_axes(made)
     made.add_argument(

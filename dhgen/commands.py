@@ -1,6 +1,6 @@
 """What the command does: write, check, explain, import, calibrate, survey.
 
-What needs sympy is imported late: errors and --help do without.
+What needs sympy is imported late, so that errors and --help come at once.
 """
 
 from __future__ import annotations
@@ -198,7 +198,7 @@ def check(options: argparse.Namespace) -> int:
 
 
 def _repeated(options: argparse.Namespace) -> list[str]:
-    """The options of a command that another one needs, too, to make its files in its place."""
+    """The options that a command which makes the same files has to repeat."""
     place = [] if options.out == OUT else ["--out", str(options.out)]
     words = {"--numerical": options.numerical, "--single-file": options.single_file}
     return place + [word for word, wanted in words.items() if wanted]
@@ -208,8 +208,8 @@ def _format(options: argparse.Namespace) -> str:
     """The format of what is explained: from the option, else from the file's ending.
 
     Raises:
-        CommandError: It is something else than the derivation, which has no other format, or the
-            file has an ending of none or of another one.
+        CommandError: What is printed is not the derivation, and can't have the format; or the
+            ending of the file belongs to no format, or to another one.
     """
     what = _other_than_derivation(options)
     ending = "" if options.out is None else options.out.suffix.lower()
@@ -435,7 +435,7 @@ def _refuse_mute() -> None:
 def _refuse_taken(file: AnyFile, out: Path) -> None:
     """Stops before the work, where files of another robot have the names of this one's.
 
-    A robot is who it is by its name: its file may have been moved.
+    Robots are compared by their names: a robot file may have been moved.
     """
     for stem in file.stems:
         paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)

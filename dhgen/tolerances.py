@@ -27,8 +27,9 @@ class Tolerances:
             what it fixes, digits are lost to 1e-11 rad at worst, and few random poses are.
         reach: A pose may be this far out of reach: one on the workspace boundary, stretched or
             folded, lands there by rounding.
-        led: `reach` where rows are tightened: an angle before the boundary may be good to few
-            digits, and steps decide what is a solution. It lets the arm be as far out of reach.
+        reach_refined: `reach` where rows are refined: an angle before the boundary may be good to
+            few digits, so the arm may be this far out of reach, and steps decide what is a
+            solution.
         merge: Nearer to the boundary of reach than this, the two branches have met. Above
             rounding, so that a stretched arm is one solution, not two that differ by 1e-8.
         blur: `merge` where an angle before them is good to few digits only.
@@ -48,8 +49,8 @@ class Tolerances:
             lengths count in arm sizes, or in the pose's distance where that is larger. Where one
             row is exact the pose was not rounded, and the others have to be exact, too.
         promised: A row misses its pose by no more wherever it has a solution, singular poses
-            included: what the written files are held to, and a reason to tighten rows.
-        doubtful: A row may miss its pose by this before it is tightened, and limits before its
+            included: what the written files are held to, and a reason to refine rows.
+        doubtful: A row may miss its pose by this before it is refined, and limits before its
             joints are put on them: an angle taken from a vector just longer than `free` is good to
             1e-3 rad.
         longest: Where the factor of a slide nearly vanishes, a length above this is no solution:
@@ -64,9 +65,9 @@ class Tolerances:
             one beyond the limit must not be taken for the other.
         distinct: Two rows closer than this are one solution [rad or length]. About the square root
             of `merge`, because merging branches separate like a square root.
-        far: An angle of the seed that is not below this has no copy of another near to it that
-            keeps its digits: it is not moved there.
-        polished: A candidate that was polished on the whole pose is a solution if it misses that
+        far: Angles are not moved by whole turns to an angle of the seed above this [rad]: they
+            would lose digits there.
+        refined: A candidate that was refined on the whole pose is a solution if it misses that
             by no more [arm sizes, rad]: far above rounding, far below where a near miss ends.
         fine: Always added to the damping of steps to a solution next to joint values, a square: its
             root is so far above rounding of the miss that this moves joints by 1e-3 rad at most, in
@@ -81,7 +82,7 @@ class Tolerances:
     near: float = 1e-3
     regular: float = 1e-4
     reach: float = 1e-13
-    led: float = 1e-5
+    reach_refined: float = 1e-5
     merge: float = 1e-14
     blur: float = 1e-11
     near_reach_boundary: float = 1e-11
@@ -99,7 +100,7 @@ class Tolerances:
     clamped: float = 1e-14
     distinct: float = 1e-6
     far: float = 1e5
-    polished: float = 1e-10
+    refined: float = 1e-10
     fine: float = 1e-26
     double: float = 1e-13
     simple: float = 1e-4

@@ -40,8 +40,8 @@ static const double
     longest3_apart = 2.55999999999993, /* the longest, where branches merge [m^2] */
     shortest3_apart = 4.839999999999999e-28, /* the shortest, where branches merge [m^2] */
     free_limit_squared2 = 4.839999999999999e-24, /* square of a length that fixes no angle [m^2] */
-    doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
-    doubtful_slack1 = 0.022, /* a row may miss the pose by this before it is tightened [m] */
+    doubtful_slack = 0.01, /* a row may miss the pose by this before it is refined */
+    doubtful_slack1 = 0.022, /* a row may miss the pose by this before it is refined [m] */
     k1 = 1.2800000000000002, /* 2 * a3 * a2 [m^2] */
     k2 = 0.7812499999999999; /* 1 / k1 [m^-2] */
 

@@ -39,8 +39,8 @@ static const double
     shortest3_apart = 1.26025e-23, /* the shortest, where branches merge [mm^2] */
     free_limit_squared2 = 1.26025e-19, /* square of a length that fixes no angle [mm^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
-    doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
-    /* a row may miss the pose by this before it is tightened [mm] */
+    doubtful_slack = 0.01, /* a row may miss the pose by this before it is refined */
+    /* a row may miss the pose by this before it is refined [mm] */
     doubtful_slack1 = 3.5500000000000003,
     k1 = 22050.0, /* 2 * a3 * a2 [mm^2] */
     k2 = 4.5351473922902495e-05; /* 1 / k1 [mm^-2] */

@@ -2268,7 +2268,7 @@ DHGEN_TABLE struct dhgen_arm arm = {
 };
 
 #define DHGEN_NAME(function) puma560_f32_##function
-/* A robot's public functions, whose caller may give values beside the pose. */
+/* A robot's public functions, whose caller may give values besides the pose. */
 
 #ifndef DHGEN_DO /* coupled drives have others */
 #define DHGEN_DO(function) dhgen_##function

@@ -32,8 +32,8 @@ static const double
     d5 = 3.0, /* joint offset 5 [m] */
     free_limit2 = 3.6e-11, /* a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
-    doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
-    doubtful_slack1 = 0.06; /* a row may miss the pose by this before it is tightened [m] */
+    doubtful_slack = 0.01, /* a row may miss the pose by this before it is refined */
+    doubtful_slack1 = 0.06; /* a row may miss the pose by this before it is refined [m] */
 
 #ifndef __CUDACC_RTC__
 const char *const rail_5dof_branches[2] = {

@@ -42,8 +42,8 @@ static const double
     longest3_apart = 0.1953639999999916, /* the longest, where branches merge [m^2] */
     shortest3_apart = 9.06304e-29, /* the shortest, where branches merge [m^2] */
     free_limit_squared2 = 9.063039999999997e-25, /* square of a length that fixes no angle [m^2] */
-    doubtful_slack = 0.01, /* a row may miss the pose by this before it is tightened */
-    /* a row may miss the pose by this before it is tightened [m] */
+    doubtful_slack = 0.01, /* a row may miss the pose by this before it is refined */
+    /* a row may miss the pose by this before it is refined [m] */
     doubtful_slack1 = 0.009519999999999999,
     offset4 = 1.5707963267948966, /* offset of joint 4 [rad] */
     k1 = 0.097682, /* 2 * a3 * a2 [m^2] */

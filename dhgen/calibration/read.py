@@ -33,7 +33,7 @@ ORIGINS, DELTAS = "kinematics", "deltas"
 PLACES = ("x", "y", "z", "roll", "pitch", "yaw")
 CELLS = ("theta", "d", "a", "alpha", "beta")
 ANGLES = frozenset({"roll", "pitch", "yaw", "theta", "alpha", "beta"})
-OTHERS = ("hash",)  # beside the origins
+OTHERS = ("hash",)  # keys besides the origins
 # Universal Robots' names of the links whose origins these are, from base to tool.
 LINKS = ("shoulder", "upper_arm", "forearm", "wrist_1", "wrist_2", "wrist_3")
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 ROUND = range(-165, 181, 15)  # degrees that are tried
-OTHER_SEEDS = -2.0, 1.0  # [rad, length] of all joints, beside that of zeros
+OTHER_SEEDS = -2.0, 1.0  # [rad, length] of all joints, besides zeros
 UNCHANGED = 1e-9  # [rad, arm sizes] a joint's value with another seed
 NOTHING = 1e-12  # what a condition is worth there, lengths in arm sizes
 

@@ -96,7 +96,7 @@ class Choices:
             for before, after in product(befores, afters):
                 if before.sign > 0 and after.sign > 0:
                     self._note_normal(before, after)
-        self.points = _distinct(self.points, arm.little)
+        self.points = _distinct(self.points, arm.negligible)
         self.directions = _distinct(self.directions, max(arm.near, 1e-9))
 
     def _lines(self, number: int) -> list[Line]:
@@ -105,7 +105,9 @@ class Choices:
             back = times(axis.direction, -1.0)
             return [Line(axis.point, axis.direction, 1), Line(axis.point, back, -1)]
         points = (foot_on(p, axis.direction, ORIGIN) for p in self._slide_points(number))
-        return [Line(point, axis.direction, 1) for point in _distinct([*points], self.arm.little)]
+        return [
+            Line(point, axis.direction, 1) for point in _distinct([*points], self.arm.negligible)
+        ]
 
     def _slide_points(self, number: int) -> list[Vector]:
         """Where a slide's line may lie: through what turns beside it, if anything does."""
@@ -124,7 +126,7 @@ class Choices:
     def _note_normal(self, before: Line, after: Line) -> None:
         if are_parallel(before.z, after.z, self.arm.near):
             apart = across(before.z, minus(after.point, before.point))
-            if math.hypot(*apart) > self.arm.little:
+            if math.hypot(*apart) > self.arm.negligible:
                 self.directions.append(unit(apart))
             return
         x, foot, landing = common_normal((before.point, before.z), (after.point, after.z))
@@ -177,7 +179,7 @@ class Choices:
             yield times(x, -1.0), foot, landing
             return
         apart = across(before.z, minus(after.point, before.point))
-        if math.hypot(*apart) > self.arm.little:
+        if math.hypot(*apart) > self.arm.negligible:
             directions = [unit(apart), times(unit(apart), -1.0)]
         else:
             directions = self._square(before.z)
@@ -196,7 +198,7 @@ class Choices:
         assert line is not None
         level = foot_on(line.point, line.z, origin)
         tip = transposed(R)
-        for foot in _distinct([last.landing, level], self.arm.little):
+        for foot in _distinct([last.landing, level], self.arm.negligible):
             for x in _distinct([last.x, *self._square(line.z, tip)], self.arm.near or 1e-9):
                 yield self._end(line, x, foot, foot, (x, line.z))
                 if not modified and math.dist(x, tip[0]) < self.arm.near:
@@ -214,7 +216,7 @@ class Choices:
     def _heights(self, line: Line) -> list[Vector]:
         """Points of a line that are level with something."""
         return _distinct(
-            [foot_on(line.point, line.z, point) for point in self.points], self.arm.little
+            [foot_on(line.point, line.z, point) for point in self.points], self.arm.negligible
         )
 
     def _square(self, z: Vector, among: Sequence[Vector] = ()) -> list[Vector]:

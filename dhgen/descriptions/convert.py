@@ -12,7 +12,7 @@ from dhgen.descriptions.free_joints import free_joints
 from dhgen.descriptions.lines import arm_of
 from dhgen.descriptions.mimic import demand_followed, with_followers_limits
 from dhgen.descriptions.misses import misses_note
-from dhgen.descriptions.snap import DEFAULT, LEAST, LITTLE, snap
+from dhgen.descriptions.snap import DEFAULT, LEAST, NEGLIGIBLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
 from dhgen.descriptions.write import (
     FEW_TURNS,
@@ -72,10 +72,12 @@ def convert(description: Description, wishes: Wishes) -> Import:
     chain = choose_chain(description, wishes.base, wishes.tip)
     if isinstance(wishes.free, tuple):
         _demand_joints(description, chain, wishes.free)
-    near, little = (DEFAULT, LITTLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
+    near, negligible = (
+        (DEFAULT, NEGLIGIBLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
+    )
     joints, narrowed = with_followers_limits(chain.joints)
-    snapped = snap(joints, near, little)
-    arm = arm_of(snapped.joints, near, little)
+    snapped = snap(joints, near, negligible)
+    arm = arm_of(snapped.joints, near, negligible)
     try:
         demand_followed(description, chain.joints, arm.axes)
     except RobotFileError:

@@ -31,13 +31,13 @@ _RIGHT = math.pi / 2
 
 
 def angle_cost(angle: float, near: float, right: float, half: float) -> float:
-    """Of an angle: nothing where it is zero.
+    """The cost of an angle: nothing where it is zero.
 
     Args:
         angle: In rad.
         near: What counts as right.
         right: The cost of a right angle.
-        half: Of a half turn.
+        half: The cost of a half turn.
     """
     turns = round(angle / _RIGHT)
     if abs(angle - turns * _RIGHT) > near:
@@ -45,23 +45,23 @@ def angle_cost(angle: float, near: float, right: float, half: float) -> float:
     return (0.0, right, half, right + NEGATIVE)[turns % 4]
 
 
-def length_cost(length: float, little: float) -> float:
-    """Of a length: nothing where it is zero."""
-    if abs(length) < little:
+def length_cost(length: float, negligible: float) -> float:
+    """The cost of a length: nothing where it is zero."""
+    if abs(length) < negligible:
         return 0.0
     return LENGTH + MINUS * (length < 0.0)
 
 
 def row_cost(turn: float, offset: float, arm: Arm, number: int) -> float:
-    """Of what a row has along its joint's axis.
+    """The cost of what a row has along its joint's axis.
 
     Args:
         turn: The angle.
         offset: The length.
-        arm: Of the row.
-        number: Of the row, from zero.
+        arm: The arm of the row.
+        number: The number of the row, from zero.
     """
-    along = length_cost(offset, arm.little)
+    along = length_cost(offset, arm.negligible)
     if along and not arm.axes[number].turns:
         along += BESIDE_SLIDE
     left = len(arm.axes) - number
@@ -69,13 +69,13 @@ def row_cost(turn: float, offset: float, arm: Arm, number: int) -> float:
 
 
 def link_cost(length: float, twist: float, arm: Arm) -> float:
-    """Of what a row has along the common normal."""
-    return angle_cost(twist, arm.near, TWIST, HALF_TURN) + length_cost(length, arm.little)
+    """The cost of what a row has along the common normal."""
+    return angle_cost(twist, arm.near, TWIST, HALF_TURN) + length_cost(length, arm.negligible)
 
 
 def frame_cost(frame: Placed, arm: Arm) -> float:
     """Of a frame before the first row or after the last."""
     rpy = to_rpy(frame[0])
     turns = math.fsum(angle_cost(angle, arm.near, TWIST, TWIST) for angle in rpy)
-    lengths = math.fsum(length_cost(length, arm.little) for length in frame[1])
+    lengths = math.fsum(length_cost(length, arm.negligible) for length in frame[1])
     return turns + lengths + (FRAME if turns or lengths else 0.0) + (TURNED if turns else 0.0)

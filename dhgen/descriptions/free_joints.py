@@ -26,7 +26,7 @@ ELBOW = 3  # where no other one is better, the turn of the upper arm is given
 def free_joints(arm: Arm) -> tuple[int, ...]:
     """Joints, from 1, whose values are to be given; none of an arm of six joints or fewer."""
     extra = len(arm.axes) - SIX
-    if extra < 1 or any(axis.shares for axis in arm.axes):  # which have no free ones beside them
+    if extra < 1 or any(axis.shares for axis in arm.axes):  # coupled arms have no free joints
         return ()
     numbers = range(1, len(arm.axes) + 1)
     if extra == 1 and _has(arm, (1, 2, 3), _meet) and _has(arm, (5, 6, 7), _meet):
@@ -64,10 +64,10 @@ def _meet(axes: list[Axis], arm: Arm) -> bool:
         if are_parallel(at.direction, other.direction, arm.near):
             return False
         _, foot, landing = common_normal(line, (other.point, other.direction))
-        if math.dist(foot, landing) > arm.little:
+        if math.dist(foot, landing) > arm.negligible:
             return False
         feet.append(foot)
-    return math.hypot(*minus(*feet)) <= arm.little
+    return math.hypot(*minus(*feet)) <= arm.negligible
 
 
 def _parallel(axes: list[Axis], arm: Arm) -> bool:

@@ -39,7 +39,7 @@ class Axis:
         direction: Of length one.
         point: The origin of the joint's frame; a slide's line may be anywhere else.
         turns: Whether the joint rotates.
-        shares: Names of joints that it follows, and how often; a driven one beside its own value.
+        shares: Names of joints that it follows, and how often; a driven one besides its own value.
         offset: What is added to that [rad or length].
     """
 
@@ -69,23 +69,23 @@ class Arm:
         tip: The tip link's frame in the base link's.
         size: Sum of the distances from joint to joint, to the tip; 1 without any [length].
         near: What is nearer to parallel or right counts as that [rad].
-        little: A length that counts as zero.
+        negligible: A length that counts as zero.
     """
 
     axes: tuple[Axis, ...]
     tip: Placed
     size: float
     near: float
-    little: float
+    negligible: float
 
 
-def arm_of(joints: Sequence[Joint], near: float, little: float) -> Arm:
+def arm_of(joints: Sequence[Joint], near: float, negligible: float) -> Arm:
     """The arm of the joints from base to tip.
 
     Args:
         joints: Fixed ones too.
         near: See `Arm`.
-        little: See `Arm`; in arm sizes.
+        negligible: See `Arm`; in arm sizes.
     """
     frame: Placed = (STILL, (0.0, 0.0, 0.0))
     axes = []
@@ -95,7 +95,9 @@ def arm_of(joints: Sequence[Joint], near: float, little: float) -> Arm:
             direction = turned(frame[0], unit(joint.axis))
             axes.append(_axis(joint, direction, frame[1]))
     size = size_of(joints)
-    return Arm(_merged(axes, max(near, LEAST), little * size), frame, size, near, little * size)
+    return Arm(
+        _merged(axes, max(near, LEAST), negligible * size), frame, size, near, negligible * size
+    )
 
 
 def _axis(joint: Joint, direction: Vector, point: Vector) -> Axis:
@@ -106,7 +108,7 @@ def _axis(joint: Joint, direction: Vector, point: Vector) -> Axis:
     return replace(axis, shares=(share,), offset=joint.mimics.offset)
 
 
-def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...]:
+def _merged(axes: Sequence[Axis], near: float, negligible: float) -> tuple[Axis, ...]:
     """Axes, merged where one follows others and its neighbour is on its line."""
     found: list[Axis] = []
     for axis in axes:
@@ -116,7 +118,7 @@ def _merged(axes: Sequence[Axis], near: float, little: float) -> tuple[Axis, ...
             or (before.joint.is_driven and axis.joint.is_driven)
             or _follows(before, axis)
             or _follows(axis, before)
-            or not _is_same_line(before, axis, near, little)
+            or not _is_same_line(before, axis, near, negligible)
         ):
             found.append(axis)
         else:
@@ -134,12 +136,12 @@ def _follows(one: Axis, other: Axis) -> bool:
     return any(name == other.joint.name for name, _ in one.shares)
 
 
-def _is_same_line(one: Axis, other: Axis, near: float, little: float) -> bool:
+def _is_same_line(one: Axis, other: Axis, near: float, negligible: float) -> bool:
     """Whether two joints turn about one line, or slide in one direction."""
     if one.turns is not other.turns or not are_parallel(one.direction, other.direction, near):
         return False
     apart = across(one.direction, minus(other.point, one.point))
-    return not one.turns or math.hypot(*apart) <= max(little, NOTHING)
+    return not one.turns or math.hypot(*apart) <= max(negligible, NOTHING)
 
 
 def size_of(joints: Sequence[Joint]) -> float:

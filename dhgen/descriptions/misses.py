@@ -69,7 +69,7 @@ def _misses(arm: Arm, number: int, one: Axis, other: Axis) -> list[Miss]:
     if one.turns and other.turns and not are_parallel(u, v, TILT):
         _, foot, landing = common_normal((one.point, u), (other.point, v))
         gap = math.dist(foot, landing)
-        if arm.little <= gap < GAP * arm.size:
+        if arm.negligible <= gap < GAP * arm.size:
             found.append(Miss(f"{axes} miss each other by {1e3 * gap:.3g} mm", gap / arm.size))
     return found
 

@@ -79,7 +79,7 @@ def _equalities(model: Any) -> dict[int, Mimic | float]:  # noqa: ANN401 - mujoc
 
 
 def _closures(model: Any) -> tuple[tuple[str, str], ...]:  # noqa: ANN401 - mujoco is optional
-    """Bodies that are held together beside the joints between them.
+    """Bodies that are held together besides the joints between them.
 
     What is held to a mocap body is moved by the user's hand, not by a mechanism.
     """

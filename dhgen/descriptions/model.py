@@ -96,7 +96,7 @@ class Description:
         root: The link that no joint moves.
         joints: By the link that they move.
         source: The text, for remarks.
-        closures: Pairs of links that something holds together beside the joints between them.
+        closures: Pairs of links that something holds together besides the joints between them.
     """
 
     name: str

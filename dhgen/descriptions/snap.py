@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 # What 1.5708 and 3.1416 are off by is 4e-6 and 7e-6; a calibration moves angles by 1e-4 and more.
 DEFAULT = 1e-5  # [rad]
-LITTLE = 1e-7  # [arm sizes] what programs leave of a zero; a calibration has micrometres
+NEGLIGIBLE = 1e-7  # [arm sizes] what programs leave of a zero; a calibration has micrometres
 LEAST = SNAP  # what robot files take as exact anyway
 MOST = 1e-2
 _TWELFTH = math.pi / 12
@@ -39,15 +39,15 @@ class Snapped:
     lengths: tuple[float, ...]
 
 
-def snap(joints: Sequence[Joint], near: float, little: float) -> Snapped:
+def snap(joints: Sequence[Joint], near: float, negligible: float) -> Snapped:
     """Replaces what is nearer to an exact value than a tolerance.
 
     Args:
         joints: From base to tip.
         near: The tolerance of angles [rad].
-        little: That of lengths [arm sizes].
+        negligible: That of lengths [arm sizes].
     """
-    least = little * size_of(joints)
+    least = negligible * size_of(joints)
     angles: dict[float, None] = {}
     lengths: dict[float, None] = {}
     exact = []
@@ -75,8 +75,8 @@ def _angle(angle: float, near: float, replaced: dict[float, None]) -> float:
     return nearest
 
 
-def _length(length: float, little: float, replaced: dict[float, None]) -> float:
-    if abs(length) > little:
+def _length(length: float, negligible: float, replaced: dict[float, None]) -> float:
+    if abs(length) > negligible:
         return length
     if abs(length) > NOTHING:
         replaced[length] = None

@@ -13,7 +13,7 @@ class Wishes:
         base: The base link, or None for the usual one.
         tip: The tip link, or None for the usual one.
         snap: What is nearer to an exact value is taken as that [rad, and arm sizes]; None for
-            `DEFAULT` and `LITTLE`.
+            `DEFAULT` and `NEGLIGIBLE`.
         as_axes: Whether the file is to hold axes in place of a table.
         free: Joints, from 1, whose values are to be given, in ascending order, or `ARM_ANGLE`; None
             for the usual ones.

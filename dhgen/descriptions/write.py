@@ -85,7 +85,7 @@ class _Lengths:
 
     def number(self, value: float) -> float:
         digits = DIGITS - math.ceil(math.log10(self.arm.size))
-        return 0.0 if abs(value) < self.arm.little else round(value, digits) + 0.0
+        return 0.0 if abs(value) < self.arm.negligible else round(value, digits) + 0.0
 
     def bare(self, value: float) -> str:
         """A length as a cell without a name of its own."""

@@ -50,7 +50,7 @@ def certified(solver: Regular, given: int, names: frozenset[str]) -> Regular | N
         solver: The regular program of the nearest arm, without limits.
         given: How many values the caller gives. Behind them come two numbers: by how much its tool
             may be turned to that of the arm, and how far it may be away.
-        names: Of the arm's own numbers, beside the nearest arm's.
+        names: Of the arm's own numbers, besides the nearest arm's.
 
     Returns:
         None where a value on which a branch may end has no bound.

@@ -62,7 +62,7 @@ class NumericalKernel:
     @property
     def residual(self) -> float:
         """What counts as a solution [arm sizes, rad]: a pose that is checked may be rounded."""
-        return TOLERANCES.consistent if self.checked else TOLERANCES.polished
+        return TOLERANCES.consistent if self.checked else TOLERANCES.refined
 
     @property
     def elbow(self) -> bool:

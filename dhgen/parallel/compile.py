@@ -39,7 +39,7 @@ class ParallelCompilation:
     Attributes:
         robot: The file, validated.
         chains: The legs' chains, each once, compiled.
-        module: The legs' programs and where they stand.
+        module: The robot as it is printed.
         files: Text of every file by its name, those of the chains among them.
     """
 
@@ -115,8 +115,8 @@ def _of_legs(
     """What is made of a kind of leg, all of whose joints are to be solved for.
 
     Raises:
-        UnsolvedError: It can't be, or joints of the leg depend on each other; the message begins
-            with the numbers of the legs.
+        UnsolvedError: No derivation solves it, or joints of the leg depend on each other; the
+            message begins with the numbers of the legs.
     """
     alike = [n for n, leg in enumerate(file.robot.legs, 1) if leg.chain == chain.robot]
     which = f"leg{'s' * (len(alike) > 1)} {', '.join(map(str, alike))}"

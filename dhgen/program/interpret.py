@@ -83,7 +83,7 @@ def interpret(
     """
     run = _Run(program, poses, seed, free)
     rows = run.rows()
-    kernel = program.tightened or program.led
+    kernel = program.completion or program.refinement
     if kernel is None:
         return rows
     completion, q = Completion(kernel, rows.q.shape[1], program.turning), rows.q.copy()

@@ -294,14 +294,15 @@ class Program:
         free: The truth values of whether a joint was chosen, by joint number; 0 for any of them.
         near: The truth values of whether one was nearly free, where that matters to a guard or,
             after roots of a polynomial, to the digits of a row.
-        tightened: Damped least squares for this arm, where rows that are not exact take some steps
-            of it in the end; where a pose may be none of the arm's, only rows that then fit are
-            kept. Where roots nearly meet, rows of both of their sides are looked for with it. It
-            holds arrays, which can't be hashed, and programs are: of those that are made from this
-            one none depends on it.
-        led: Least squares for rows that miss the pose by more than is promised, where a branch
-            follows an earlier root, or a twist is beside a right angle. A root has few digits where
-            it nearly vanishes, and may then make a later branch a little out of reach.
+        completion: Damped least squares for this arm, where rows that are not exact take some steps
+            of it in the end; where the arm may not be able to take a pose, only rows that then
+            reach it are kept. Where roots nearly meet, it looks for rows on both sides of them. It
+            is left out of comparisons: its arrays can't be hashed, as programs are, and no program
+            that is made from this one depends on it.
+        refinement: Least squares for rows that miss the pose by more than is promised, where a
+            branch follows an earlier root, or a twist is almost a right angle. A root has few
+            digits where it nearly vanishes, and may then make a later branch end just before the
+            pose.
         reserved: Names that are kept for others, the arm's numbers among them, whether they occur
             here or not: nothing else is called so, here or in a program that is made from this one.
     """
@@ -313,8 +314,8 @@ class Program:
     outputs: tuple[Expression, ...]
     free: tuple[tuple[int, str], ...]
     near: tuple[str, ...] = ()
-    tightened: NumericalKernel | None = field(default=None, compare=False)
-    led: NumericalKernel | None = field(default=None, compare=False)
+    completion: NumericalKernel | None = field(default=None, compare=False)
+    refinement: NumericalKernel | None = field(default=None, compare=False)
     reserved: Reserved = NOTHING
 
     @property

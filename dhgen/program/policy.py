@@ -90,7 +90,7 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         solver: From pose to rows of joint values.
         tolerances: Of the arithmetic that it is for.
     """
-    completes, stands = solver.tightened is not None, has_poses_to_clamp(chain)
+    completes, stands = solver.completion is not None, has_poses_to_clamp(chain)
     follows_seed = _follows_seed(chain, solver)
     checks, joints = _checks_again(solver), _choosable(solver)
     return Policy(
@@ -103,7 +103,7 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         equations_end_all=has_regular_poses(solver),
         root_turns=solver.turning if completes and finds_roots(solver) else (),
         merges=follows_seed and _roots_in_a_row(solver) > 1,
-        refines=solver.led is not None,
+        refines=solver.refinement is not None,
         clamps=stands,
         clamped=tolerances.clamped,
         clamped_again=_clamped_again(solver, tolerances),
@@ -119,9 +119,9 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
 def _clamped_again(solver: Program, tolerances: Tolerances) -> float:
     """By how much more a pose may be missed by rows that are clamped where none is inside limits.
 
-    Where solutions are found without branches, nearer ones than `polished` are one anyway.
+    Where solutions are found without branches, nearer ones than `refined` are one anyway.
     """
-    return tolerances.clamped if whole_arm(solver) is None else tolerances.polished
+    return tolerances.clamped if whole_arm(solver) is None else tolerances.refined
 
 
 def _follows_seed(chain: Chain, solver: Program) -> bool:

@@ -29,8 +29,8 @@ def program_text(program: Program) -> str:
     lines += [f"  {c.name} = {c.value!r}  ({c.meaning})" for c in program.constants]
     lines += [_statement(program, statement) for statement in program.body]
     lines.append("  rows: " + ", ".join(map(expression_text, program.outputs)))
-    if program.tightened is not None:
-        lines.append("  tightened")
+    if program.completion is not None:
+        lines.append("  rows that are not exact are refined")
     return "\n".join(lines) + "\n"
 
 

@@ -67,7 +67,7 @@ def general_kernel(program: Program) -> GeneralKernel | None:
 def descents(program: Program) -> NumericalKernel | None:
     """The constants of least squares for the arm, where they solve it or complete its rows."""
     whole = whole_arm(program)
-    return program.tightened if whole is None else whole.descent
+    return program.completion if whole is None else whole.descent
 
 
 def _stated(statement: Statement) -> tuple[Expression, ...]:

@@ -23,7 +23,7 @@ class Number:
 
 @dataclass(frozen=True, slots=True)
 class Pi:
-    """The circle's number."""
+    """The number pi."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +35,7 @@ class Name:
 
 @dataclass(frozen=True, slots=True)
 class Negate:
-    """Minus something."""
+    """The negative of an operand."""
 
     operand: Expression
 

@@ -1,4 +1,4 @@
-"""A file's shape against the schema: what is wrong, what is valid in its place."""
+"""Compares the sections of a file with the schema: what is wrong, and what is valid."""
 
 from __future__ import annotations
 

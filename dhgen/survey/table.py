@@ -167,7 +167,7 @@ def cells(line: Line) -> tuple[str, ...]:
 
 
 def _residual(value: float) -> str:
-    """The power of ten above it: digits would be those of a compiler."""
+    """The power of ten above a residual: its digits depend on the compiler."""
     if not math.isfinite(value):
         return "none"
     return f"1e{math.ceil(math.log10(max(value, 1e-17)))}"

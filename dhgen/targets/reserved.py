@@ -38,7 +38,7 @@ JOINT_LIMITS JOINT_NAMES JOINT_TYPES math MAX_SOLUTIONS NAME njit NOMINAL np OK 
 TABLE types UNREACHABLE Unreachable warm_up
 """
 
-# What else Python needs at file level beside the arm's constants, or has as locals where their
+# What else Python needs at file level besides the arm's constants, or has as locals where their
 # formulas are.
 _BESIDE_CONSTANTS = """
 errors first hasattr ImportError METHOD ModuleType os rest sys u v ValueError w work x0 x1 x2 y2 z0

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 RESIDUAL = TOLERANCES.promised  # of the arm's size: what a row may miss its pose by
-GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are polished
+GENERAL_RESIDUAL = 1e-9  # the same where roots of a polynomial are refined
 AGREEMENT = 1e-12  # between targets, where the branch is well conditioned
 FOUND = 1e-6  # [rad or arm sizes] the generating joint values on random poses
 FOUND_SINGULAR = 1e-3  # the same where a pose hardly fixes them

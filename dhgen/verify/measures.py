@@ -24,7 +24,7 @@ WAY = 17  # joint values on the way from one solution to another
 ONTO = 3  # steps from a straight way onto a curve of solutions beside it
 NULL = 1e-6  # of the largest singular value: directions that these steps leave alone
 LEAP = 3.0  # times as far as on the straight way: neighbours that are farther apart are no way
-LITTLE = 1e-3  # [rad or arm sizes] a double solution moves by less with rounding
+SLIGHTLY = 1e-3  # [rad or arm sizes] a double solution moves by less with rounding
 
 
 def filled(rows: FloatArray) -> NDArray[np.bool_]:
@@ -70,11 +70,11 @@ class Measures:
     def ways(self, row: FloatArray, q: FloatArray) -> FloatArray:
         """Joint values (2, WAY, n) on ways from a row to others, the short way round.
 
-        The straight one, and one on which the joints that differ by little move first.
+        The straight one, and one on which the joints that differ slightly move first.
         """
-        moved, little = self._short_way(q - row), self.joint_miss(row, q) <= LITTLE
+        moved, slightly = self._short_way(q - row), self.joint_miss(row, q) <= SLIGHTLY
         part = np.linspace(0.0, 1.0, WAY)[:, None]
-        bent = np.where(little, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
+        bent = np.where(slightly, np.minimum(2.0 * part, 1.0), np.maximum(2.0 * part - 1.0, 0.0))
         return np.asarray(row + np.stack([part * moved, bent * moved]))
 
     def curves(self, row: FloatArray, q: FloatArray, T: FloatArray) -> Iterator[FloatArray]:

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A robot's public functions, whose caller may give values beside the pose. */
+ * A robot's public functions, whose caller may give values besides the pose. */
 #ifndef DHGEN_FUNCTIONS_H
 #define DHGEN_FUNCTIONS_H
 

@@ -98,11 +98,12 @@ class Arm:
         directions: What a pose names besides coordinates: one of `places.NAMES`.
         miss_weights: What the entries of a miss count, first the translation's.
         size: Of the arm.
-        slacks: By what a joint's value may miss its limits; here and below for every joint, or left
-            out where all are what they are for angles.
-        weights: Of squared differences of its values.
-        paces: What a step of one means in refining; 0 if the caller gives the value.
-        fan_steps: From one value to the next where it is free.
+        slacks: By how much the value of each joint may miss its limits. This and the next three are
+            left out where all joints have those of angles.
+        weights: Of squared differences of each joint's values.
+        paces: How far each joint moves in a step of one of refining; 0 if the caller gives its
+            value.
+        fan_steps: From one value of each joint to the next that is tried where it is free.
         clamped: A joint is clamped to a limit if the pose is missed by so much more at most.
         clamped_again: And where no row is inside limits then.
         entries: Places of a pose's entries that are asked then.

@@ -102,7 +102,7 @@ def _compiled(task: str) -> tuple[Any, Any]:
 def own_numbers(
     how: Compiling, functions: Sequence[str | None], counted: Sequence[bool], **others: int
 ) -> Callable[[], Ints]:
-    """What is a robot's own beside the arm's numbers, once it is asked for.
+    """What is a robot's own besides the arm's numbers, once it is asked for.
 
     Args:
         how: How the functions of its file are compiled.
@@ -123,7 +123,7 @@ def calls_of(task: str, arm: Floats, own: Callable[[], Ints], given: int) -> dic
     """What a robot's public functions call.
 
     Args:
-        task: What counts of a pose beside coordinates.
+        task: What counts of a pose besides coordinates.
         arm: The arm's numbers.
         own: What else is the robot's own.
         given: How many values the caller gives.

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 POSE, YAW, COORDINATES = "pose", "yaw", "coordinates"
 LENGTHS = 3  # of six velocities the first are lengths
 # A's smallest singular value below which a platform is singular, lengths in robot sizes, and what a
-# passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
+# passive joint has to move of its own, besides those before it, not to depend on them [rad, robot
 # sizes]: the square root of what legs may miss, so that what is computed above it has six digits.
 SINGULAR_PLATFORM = 1e-6
 _HOW = of_file(__file__)

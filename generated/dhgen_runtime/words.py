@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-# Numbers that a task names beside coordinates, by the names of functions in `pose`.
+# Numbers that a task names besides coordinates, by the names of functions in `pose`.
 NAMED = {
     "pose": 3,
     "orientation": 3,
@@ -36,7 +36,7 @@ def no_pose(robot: Mapping[str, Any], task: str, given: int = 0) -> str:
 
     Args:
         robot: The names of its module.
-        task: What counts of a pose beside coordinates.
+        task: What counts of a pose besides coordinates.
         given: How many values the caller gives.
     """
     sound = "not finite or beyond 5e102" if "P" in robot["JOINT_TYPES"] else "not finite"
@@ -50,7 +50,7 @@ def no_row(robot: Mapping[str, Any], task: str, counted: Sequence[bool], given: 
 
     Args:
         robot: The names of its module.
-        task: What counts of a pose beside coordinates.
+        task: What counts of a pose besides coordinates.
         counted: Which coordinates do.
         given: How many values the caller gives.
     """

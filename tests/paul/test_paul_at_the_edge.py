@@ -101,7 +101,7 @@ def test_a_little_out_of_reach_is_out_of_reach(tmp_path: Path, longer: float) ->
     T = np.asarray(numeric_arm(other).pose(q))
     chain = chain_of(tmp_path, FOLDED)
     program = lower(derive(chain))
-    assert program.tightened is not None
+    assert program.completion is not None
     for pose, reached in ((numeric_arm(chain).pose(q), True), (T, False)):
         rows = interpret(program, np.asarray(pose)[None], q[None])
         near = np.abs(rows.q[0][rows.solved[0]] - q).max(axis=1) < 1e-2

@@ -132,7 +132,7 @@ def test_rows_of_a_step_that_is_silent_are_checked(name: str) -> None:
     for seed in (q, np.zeros_like(q)):
         rows, misses = rows_at(program, chain_of(name), q, seed)
         assert misses[rows.solved].max(initial=0.0) < CONSISTENT
-    assert program.tightened is not None
+    assert program.completion is not None
 
 
 def test_an_order_with_more_rows_is_taken_where_one_is_silent_at_a_right_angle() -> None:

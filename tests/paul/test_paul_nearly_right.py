@@ -96,15 +96,15 @@ def test_polar_coordinates_are_not_divided_by_next_to_nothing(tmp_path: Path) ->
     arm, source = numeric_arm(chain), np.random.default_rng(6)
     q = source.uniform(-2.0, 2.0, (POSES, chain.dof))
     poses = arm.pose(q)
-    rows = interpret(replace(lower(derive(chain)), tightened=None), poses, q)
+    rows = interpret(replace(lower(derive(chain)), completion=None), poses, q)
     reached = arm.pose(np.where(rows.solved[..., None], rows.q, 0.0))
     assert np.abs(reached - poses[:, None]).max(axis=(2, 3))[rows.solved].max() < 1e-13
 
 
 @pytest.mark.breadth
-def test_rows_that_would_miss_are_tightened(tmp_path: Path) -> None:
+def test_rows_that_would_miss_are_refined(tmp_path: Path) -> None:
     """Seven twists: what is left of the digits is too little at right angles."""
-    assert lower(derive(nearly_right(tmp_path, "kuka_iiwa14"))).tightened is not None
+    assert lower(derive(nearly_right(tmp_path, "kuka_iiwa14"))).completion is not None
 
 
 @pytest.mark.parametrize(

@@ -148,16 +148,16 @@ def nearly_fitting(name: str, factors: list[float]) -> tuple[NDArray[np.bool_], 
 @pytest.mark.parametrize("name", ["scara", "planar_rrr", "kuka_youbot"])
 def test_a_pose_that_nearly_fits_is_taken_or_doubtful(name: str) -> None:
     """Within the slack they are taken at once; those that fit or do not by little are doubtful."""
-    assert story(name).program.tightened is None
+    assert story(name).program.completion is None
     sure, slack = nearly_fitting(name, [0.1, 0.9, 1.5, 6.0])
     assert sure[slack < TOLERANCES.consistent / 5].mean() > 0.9
     assert not sure.all()
 
 
 @pytest.mark.parametrize("name", ["kuka_kr40pa", "scorbot_pointing"])
-def test_where_rows_are_tightened_a_pose_that_nearly_fits_is_doubtful(name: str) -> None:
+def test_where_rows_are_refined_a_pose_that_nearly_fits_is_doubtful(name: str) -> None:
     """Whether a row was moved by rounding, or is none, the whole program finds out."""
-    assert story(name).program.tightened is not None
+    assert story(name).program.completion is not None
     sure, slack = nearly_fitting(name, [0.0, 0.1, 0.9, 1.5, 1e3])
     assert sure[slack == 0.0].mean() > 0.9
     assert not sure[(slack > 0.0) & (slack < TOLERANCES.consistent)].any()
@@ -243,7 +243,7 @@ ROUNDED = (
 
 
 @pytest.mark.breadth
-def test_rows_that_would_be_tightened_are_exact_or_a_doubt() -> None:
+def test_rows_that_would_be_refined_are_exact_or_a_doubt() -> None:
     """Also where the size of a miss stands in several conditions, and so has a name."""
     chain = build_chain(table(*ROUNDED, tool="{xyz: [0, 0, 0.097]}"))
     solver = regular(lower(derive(chain)))

@@ -28,4 +28,4 @@ def test_slides_are_tried_as_far_as_the_arm_is_long(tmp_path: Path, length: floa
     """Hundreds of arm sizes away a direction is good to few digits, and rows were refined."""
     path = tmp_path / "arm.yaml"
     path.write_text(CYLINDRICAL.format(length), encoding="utf-8")
-    assert lower(derive(build_chain(load(path)))).tightened is None
+    assert lower(derive(build_chain(load(path)))).completion is None

@@ -1,6 +1,6 @@
 """An arm that is given its arm angle, and whose right angles are written with four digits.
 
-There rows come from short vectors, and are tightened: they keep the arm angle.
+There rows come from short vectors, and are refined: they keep the arm angle.
 """
 
 from __future__ import annotations

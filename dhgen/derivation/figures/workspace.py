@@ -110,7 +110,7 @@ def _ticks(start: float, length: float, step: float) -> Iterable[tuple[float, st
 
 
 def tick_step(length: float) -> float:
-    """A round number, about as many of which make a length as there are to be numbers."""
+    """A round distance between the numbers on an axis of a length: about TICKS of them."""
     power = math.floor(math.log10(length / TICKS))
     base = 10.0**power
     return next(m * base for m in (1, 2, 5, 10) if m * base * (TICKS + 1) >= length)

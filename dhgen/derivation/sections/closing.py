@@ -73,7 +73,7 @@ def singular_section(story: Story, found: list[Singularity]) -> list[Block]:
 
 
 def _by_position_alone(story: Story) -> list[Block]:
-    """Where an arm that no given orientation lets be singular would be so without it."""
+    """Where an arm would be singular for positions alone, though it is not for whole poses."""
     if story.algebra.chain.task.kind is not TaskKind.POSE:
         return []
     found = determinant_of(story, by_position=True)

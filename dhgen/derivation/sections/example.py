@@ -81,11 +81,11 @@ def _cuspidal(story: Story, example: Example) -> list[Block]:
     return [
         paragraph(
             "The determinant of the first three rows of {} has the same sign in rows {} and {}, "
-            "and there is a way from one to the other on which it keeps it: the arm changes its "
-            "posture without passing a singular one. Such an arm is called cuspidal (P. Wenger), "
-            "after the cusps of the singular curves in its workspace, where three solutions meet. "
-            "No sign tells its solutions apart, so its rows have no names like elbow up and elbow "
-            "down.",
+            "and there is a path from one to the other along which that sign does not change: the "
+            "arm changes its posture without passing a singular one. Such an arm is called "
+            "cuspidal (P. Wenger), after the cusps of the singular curves in its workspace, where "
+            "three solutions meet. No sign tells its solutions apart, so its rows have no names "
+            "like elbow up and elbow down.",
             Symbol("J", "J"),
             *(Given(str(row)) for row in pair),
         )

@@ -178,7 +178,7 @@ def _check(kernel: GeneralKernel) -> dict[str, object]:
         "nearly_none": f"{NEARLY_NONE:g}",
         "nearly_none_in_doubt": f"{NEARLY_NONE_IN_DOUBT:g}",
         "consistent": _power(TOLERANCES.consistent),
-        "polished": _power(TOLERANCES.polished),
+        "refined": _power(TOLERANCES.refined),
     }
 
 

@@ -46,8 +46,8 @@ def joint_values(story: Story) -> list[Block]:
         blocks.append(_check(story))
     elif comparisons(story.program):
         blocks.append(paragraph(COMPARED))
-    if story.program.tightened is not None:
-        blocks.append(_tightening(story.program))
+    if story.program.completion is not None:
+        blocks.append(_refining(story.program))
     return blocks
 
 
@@ -171,7 +171,7 @@ def _is_redundant_by_position(story: Story) -> bool:
     return bool(np.linalg.matrix_rank(rows, tol=1e-9 * chain.size) < chain.dof)
 
 
-def _tightening(program: Program) -> Block:
+def _refining(program: Program) -> Block:
     """What is done with rows that are good to few digits."""
     text = (
         "Angles of short vectors, and roots that nearly meet, are good to a few digits only. A row "
@@ -179,7 +179,7 @@ def _tightening(program: Program) -> Block:
         "the whole task, until it is exact or comes no closer. If it still misses the pose, it is "
         "left empty."
     )
-    if program.tightened is not None and program.tightened.elbow:
+    if program.completion is not None and program.completion.elbow:
         text += " The arm angle is one more equation of these steps."
     if finds_roots(program):
         text += (
@@ -188,7 +188,7 @@ def _tightening(program: Program) -> Block:
             "solutions; a second start, as far away on the other side, reaches the other. A root "
             "that took the seed's value is looked for again with a seed turned away from it."
         )
-    if program.tightened is not None and program.tightened.checked:
+    if program.completion is not None and program.completion.checked:
         text += (
             " If a row is exact after that, the pose was not rounded, and all rows have to be "
             "exact; if none is, they stay as they were."

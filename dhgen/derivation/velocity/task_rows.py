@@ -1,7 +1,7 @@
 """The rows of the Jacobian that a task names, seen from the frames that leave most zeros.
 
 The determinant is the same in every frame, and for the velocity of every point that moves with the
-tool, if the whole angular velocity counts beside it. Of a direction the task names two numbers, of
+tool, if the whole angular velocity counts as well. Of a direction the task names two numbers, of
 a yaw or a pitch one: a turn that changes nothing that the task names, with a column of its own,
 makes the rows those of the whole angular velocity.
 """

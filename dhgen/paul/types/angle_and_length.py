@@ -38,8 +38,8 @@ class Polar:
             return "X1 or X2 may vanish"
         unknowns = (read.angle, read.length)
         letters = (("X1", read.x1), ("Y1", read.y1), ("X2", read.x2), ("Y2", read.y2))
-        little = any(view.is_nearly_nothing(each) for each in (read.x1, read.x2))
-        penalty = POLAR + (NEARLY_NOTHING if little else 0)
+        short = any(view.is_nearly_nothing(each) for each in (read.x1, read.x2))
+        penalty = POLAR + (NEARLY_NOTHING if short else 0)
         return (Step(Kind.POLAR, unknowns, tuple(forms), letters, penalty),)
 
 

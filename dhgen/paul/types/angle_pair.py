@@ -121,15 +121,15 @@ def _read(forms: Sequence[Form]) -> _Factors | str:
 
 def _conditioning(factors: _Factors, view: View) -> int:
     rows = (factors.x1, factors.y1), (factors.x2, factors.y2)
-    little = NEARLY_NOTHING if any(view.is_nearly_nothing(*row) for row in rows) else 0
-    little += SHORT_LENGTHS * sum(view.is_short(*row) for row in rows)
+    penalty = NEARLY_NOTHING if any(view.is_nearly_nothing(*row) for row in rows) else 0
+    penalty += SHORT_LENGTHS * sum(view.is_short(*row) for row in rows)
     if not view.is_constant_sum(factors.determinant(view)):  # it is a sum of two squares then
         apart = view.witnesses.have_no_common_zero(factors.x1, factors.y1)
         mirrored = MIRRORED if factors.x2 == factors.y1 else 0
-        return little + (TRIANGLE if apart else MAY_VANISH) + mirrored
+        return penalty + (TRIANGLE if apart else MAY_VANISH) + mirrored
     simple = all(view.is_constant(entry) for row in rows for entry in row)
-    little = little or (NEARLY_NOTHING if _are_nearly_parallel(rows, view) else 0)
-    return little + (CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT)
+    penalty = penalty or (NEARLY_NOTHING if _are_nearly_parallel(rows, view) else 0)
+    return penalty + (CONSTANT_FACTORS if simple else CONSTANT_DETERMINANT)
 
 
 def _are_nearly_parallel(rows: Sequence[tuple[Polynomial, Polynomial]], view: View) -> bool:

@@ -32,7 +32,7 @@ _NAMES = {
     "steep": ("steep_limit", "a vertical axis, which has no yaw, is no longer seen from above"),
     "consistent": ("pose_slack", "a pose may be rounded by this"),
     "exact": ("exact_slack", "a row that misses the pose by no more is exact"),
-    "doubtful": ("doubtful_slack", "a row may miss the pose by this before it is tightened"),
+    "doubtful": ("doubtful_slack", "a row may miss the pose by this before it is refined"),
 }
 
 

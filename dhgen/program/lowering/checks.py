@@ -48,17 +48,17 @@ class Checks:
         rows: Every row is compared with the pose.
         moved: They are in the frame from where that takes the fewest operations, not in the base.
         again: A row that fails this may pass by another value of a free joint.
-        tightened: A row that is not exact takes some steps of damped least squares.
-        led: Rows that miss the pose by more than is promised take such steps, where rows are
-            neither compared nor tightened. One of a branch that follows an earlier root may be a
-            little out of reach.
+        completes: A row that is not exact is refined, by some steps of damped least squares.
+        refines: Rows that miss the pose by more than is promised are refined, where rows are not
+            compared and not every inexact one is. A branch that follows an earlier root may come
+            out just beyond its reach.
     """
 
     rows: bool
     moved: bool = False
     again: bool = False
-    tightened: bool = False
-    led: bool = False
+    completes: bool = False
+    refines: bool = False
 
 
 def checks_needed(
@@ -82,32 +82,34 @@ def checks_needed(
     if checks.rows and _follows_the_seed(chain, program, q):
         checks = replace(checks, again=True)
         program = lowered(checks)
-    led = _led(chain, checks, lowered)
+    refined = _with_nested_refined(chain, checks, lowered)
     if not tolerances.is_finer_than_poses:
-        return led  # exact rows can't be recognized
+        return refined  # exact rows can't be recognized
     enough = TOLERANCES.exact if checks.rows else TOLERANCES.promised
     # by what an over-determined arm leaves aside rows may miss their poses beside any such place
     about = indeterminate_places(derivation.pool, derivation.steps) if checks.rows else degenerate
     q = np.concatenate([q, _beside(chain, about)])
-    tightened = (
+    is_inexact = (
         _may_be_inexact(derivation, program, checks)
         or _is_inexact(chain, program, q, enough)
-        or _loses_poses(chain, lowered(led), q)
+        or _loses_poses(chain, lowered(refined), q)
     )
-    return replace(checks, tightened=True) if tightened else led
+    return replace(checks, completes=True) if is_inexact else refined
 
 
-def _led(chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]) -> Checks:
+def _with_nested_refined(
+    chain: Chain, checks: Checks, lowered: Callable[[Checks], Program]
+) -> Checks:
     """The checks, with rows of nested roots refined to solutions, where there are any.
 
-    So they are where a twist is beside a right angle: it fixes by little what that would leave
-    free. Not where the caller gives an arm angle, which is one more thing that has to be met.
+    Rows are refined, too, where a twist is almost a right angle: it barely fixes what a right angle
+    would leave free. They are not where the caller gives an arm angle, which has to be met as well.
     """
     if checks.rows or chain.arm_angle or not any(chain.turning):
         return checks
-    led = replace(checks, led=True)
+    refined = replace(checks, refines=True)
     slight = any(not c.is_length and 0.0 < abs(c.value) < SLIGHT for c in chain.constants)
-    return led if slight or lowered(led) != lowered(checks) else checks
+    return refined if slight or lowered(refined) != lowered(checks) else checks
 
 
 def _may_be_inexact(derivation: Derivation, program: Program, checks: Checks) -> bool:
@@ -187,7 +189,7 @@ def _loses_poses(chain: Chain, program: Program, q: FloatArray) -> bool:
 
     Nothing is refined: that takes long, and keeps rows that meet their pose.
     """
-    rows, misses = _misses(chain, replace(program, tightened=None, led=None), q, q)
+    rows, misses = _misses(chain, replace(program, completion=None, refinement=None), q, q)
     left = q[~(rows.solved & (misses <= TOLERANCES.exact)).any(axis=1)]
     if not len(left):
         return False

@@ -81,8 +81,8 @@ class Lowering:
         self.builder = Builder(reserved.with_own({*self._constants, "T", "q", "status"}))
         self.polynomials = PolynomialLowering(self._algebra, self.builder, self.value)
         self.angles = Angles(self._algebra, self.builder, self.polynomials, self._values)
-        if checks.tightened:
-            tolerances = replace(tolerances, reach=tolerances.led)
+        if checks.completes:
+            tolerances = replace(tolerances, reach=tolerances.reach_refined)
         self.scales = Scales(derivation.pool, self.builder, tolerances)
         self._target = Target(self._problem, self.builder, self.lower)
         self.step_number = 0
@@ -128,13 +128,13 @@ class Lowering:
 
     @property
     def mends_roots(self) -> bool:
-        """Whether rows that come from roots of a polynomial are tightened."""
-        return self._derivation.method is Method.QUARTIC and self.checks.tightened
+        """Whether rows that come from roots of a polynomial are refined."""
+        return self._derivation.method is Method.QUARTIC and self.checks.completes
 
     @property
     def doubts_rows(self) -> bool:
         """Whether rows that miss the pose by far have none, though steps might refine them."""
-        return self.checks.rows and self.checks.tightened
+        return self.checks.rows and self.checks.completes
 
     @property
     def may_be_lost(self) -> bool:

@@ -116,12 +116,12 @@ class _Check:
     def _slack(self, degree: int, chosen: tuple[Option, ...]) -> Node:
         """What an entry may differ by, of rounding of the pose or of what the row was taken from.
 
-        What is to be tightened may differ by more, but not where another choice can mend it.
+        What is to be refined may differ by more, but not where another choice can mend it.
         """
         builder, scales = self._builder, self._scales
         tolerances = scales.tolerances
         slack = scales.tolerance(tolerances.consistent, degree, "consistent")
-        if not self._checks.tightened:
+        if not self._checks.completes:
             return slack
         wide = scales.tolerance(tolerances.doubtful, degree, "doubtful")
         flags = list(dict.fromkeys(option.flag for option in chosen))

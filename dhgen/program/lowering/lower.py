@@ -56,10 +56,14 @@ def lower(
     @cache  # the last that was tried is mostly the one that is wanted
     def lowered(checks: Checks) -> Program:
         program = _lowered(derivation, Lowering(derivation, tolerances, checks, reserved), parts)
-        if not (checks.tightened or checks.led):
+        if not (checks.completes or checks.refines):
             return program
         kernel = replace(numerical_kernel(chain, redundant=False), most=program.rows)
-        return replace(program, led=kernel) if checks.led else replace(program, tightened=kernel)
+        return (
+            replace(program, refinement=kernel)
+            if checks.refines
+            else replace(program, completion=kernel)
+        )
 
     checks = checks_needed(derivation, tolerances, lowered)
     program = lowered(checks)

@@ -212,7 +212,7 @@ def _solutions(program: Program, derivation: Derivation) -> Solutions:
     if chain.arm_angle:
         given = source.uniform(-np.pi, np.pi, (SAMPLES, 1))
     # what rows are called, the formulas show; it takes far longer to split those that nearly meet
-    formulas = replace(program, tightened=None, led=None)
+    formulas = replace(program, completion=None, refinement=None)
     rows = interpret(formulas, arm.pose(q), q, given)
     found = np.where((rows.free | rows.close)[..., None], np.nan, rows.q)
     return _drawn(arm, found)

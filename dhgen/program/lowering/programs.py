@@ -56,8 +56,8 @@ def robot_programs(
     jacobian = reusing(jacobian_program(chain, reserved), solver, forward)
     angle = arm_angle_program(derivation, tolerances, reserved)
     # only rows that are refined are measured by it
-    led = solver.tightened is not None
-    miss = plane_miss_program(derivation, tolerances, reserved) if led else None
+    has_miss = solver.completion is not None
+    miss = plane_miss_program(derivation, tolerances, reserved) if has_miss else None
     return Programs(
         replace(solver, name=name),
         replace(forward, name=name),

@@ -89,7 +89,7 @@ def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None 
     kept = builder.select(apart, reach.discriminant, builder.integer(0))
     length = builder.name(builder.apply("sqrt", kept), f"w{suffix}")
     sign = context.new_sign(suffix)
-    if context.checks.led:
+    if context.checks.refines:
         context.roots.append(_earlier(context, sign, reach, length))
     met = builder.apply("not", apart)
     for near in context.angles.near:

@@ -85,7 +85,7 @@ class ReachBoundary:
     def touches(self, value: Node, inside: Node, apart: Node, *, blurred: bool) -> Node:
         """Whether a value can't be distinguished from zero.
 
-        One width for both sides, the larger, takes one comparison less. Where rows are tightened
+        One width for both sides, the larger, takes one comparison less. Where rows are refined
         branches end far outside of where they meet, and each side has its own if it is constant.
         A root that follows another is weighed with that one: it may be as much above zero as it
         may be below, and be none.

@@ -102,7 +102,7 @@ class Solver:
 
     Attributes:
         arm: The arm's numbers.
-        task: What counts of a pose beside coordinates, by the names of functions in `pose`.
+        task: What counts of a pose besides coordinates, by the names of functions in `pose`.
         formulas: Of regular poses; None where there are none.
         counted: Which coordinates a pose names.
         given: How many values the caller gives besides the pose.

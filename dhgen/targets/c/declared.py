@@ -48,7 +48,7 @@ def _listed(
 
 
 def _statement(declarations: list[Declaration], indent: str, width: int) -> list[str]:
-    """One statement for values of one type, broken between them as far as that will do."""
+    """One statement for values of one type; lines are broken between values where they can be."""
     first, *others = (f"{each.name} = {each.value}," for each in declarations)
     lines = wrapped(f"{indent}const {declarations[0].kind} {first}", indent, width=width)
     for other in others:

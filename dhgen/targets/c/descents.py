@@ -121,7 +121,7 @@ def c_descents(module: SolverModule) -> Descents | None:
         + (" 0," if kernel.back is None else " &drive_table,"),
         drives=_drives(kernel),
         turns=_turns(module),
-        completion="" if module.solver.tightened is None else _completion(module, kernel),
+        completion="" if module.solver.completion is None else _completion(module, kernel),
     )
 
 

@@ -176,7 +176,7 @@ def brought_along(
     switches = ["LIBM"] if single else ["SCALAR", "LIBM"]
     headers = [*first, "ik", "velocities", *(["circle_roots"] if finds_roots(solver) else [])]
     headers += [] if single else ["frames"]
-    headers += ["complete"] if solver.tightened is not None else []
+    headers += ["complete"] if solver.completion is not None else []
     headers += ["coupled"] if coupled_turns(module.chain) is not None else []
     kernel = general_kernel(solver)
     if whole_arm(solver) is not None:

@@ -41,7 +41,7 @@ class PythonKind:
         table: The rows of the data sheet's table.
         constants: Of the nominal arm's closed form, as lines.
         arm: Fields of what is done around rows, as lines.
-        fields: Those of the kind beside, as lines.
+        fields: The other fields of the kind, as lines.
     """
 
     table: Sequence[str]
@@ -78,7 +78,7 @@ def kind_module(kind: Kind, *, single_file: bool = False) -> dict[str, str]:
 
 
 def _fields(kind: Kind) -> list[str]:
-    """What arms of a kind have in common beside what is done around their rows."""
+    """What arms of a kind have in common besides what is done around their rows."""
     chain, table, kernel = kind.nominal.chain, kind.table, general_kernel(kind.module.solver)
     assert kernel is not None
     loop, triples = runtime_loop(kernel), axis_triples(chain)

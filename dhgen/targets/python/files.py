@@ -117,7 +117,7 @@ def _compiled(module: SolverModule) -> str:
     needed = {
         "_whole.compile_apart,": whole_arm(module.solver) is not None,
         "_circle.OWN.compile_apart,": finds_roots(module.solver),
-        '_runtime("complete").compile_apart,': module.solver.tightened is not None,
+        '_runtime("complete").compile_apart,': module.solver.completion is not None,
     }
     return " ".join(name for name, does in needed.items() if does)
 

@@ -25,7 +25,7 @@ NAMED = {"types": Name("JOINT_TYPES"), "limits": Name("JOINT_LIMITS")}
 
 def arm_lines(module: SolverModule) -> list[str]:
     """The definition of a robot's table, as lines."""
-    links = module.solver.tightened is not None
+    links = module.solver.completion is not None
     numbers = [")", *[" _joints.arm_numbers(_LINKS)"] * links]
     numbers += [" coupling=_COUPLING"] * (coupled_turns(module.chain) is not None)
     fields = arm_fields(module, INDENT)

@@ -144,7 +144,7 @@ def _tuple(name: str, entries: Sequence[str]) -> str:
 
 
 def constant_lines(constants: Sequence[ConstantText]) -> list[str]:
-    """Definitions of constants, and what their formulas name beside them."""
+    """Definitions of constants, and what else their formulas name."""
     return [
         *packed(made_of(constants, []), "# "),
         *(line for each in constants for line in _constant(each)),
@@ -158,7 +158,7 @@ def _constant(constant: ConstantText) -> list[str]:
 
 
 def python_task(task: Task) -> str:
-    """What counts of a pose beside coordinates, as functions of the runtime are called."""
+    """What counts of a pose besides coordinates, as functions of the runtime are called."""
     if task.kind is TaskKind.POSE:
         return "pose"
     words = {Directions.ROTATION: "orientation", Directions.NONE: "position"}

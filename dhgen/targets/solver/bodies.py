@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class ArmAngle:
-    """The body of the function that gives the arm angle: what comes first, and the result."""
+    """The body of the function that gives the arm angle: its statements, and the result."""
 
     lines: Sequence[str]
     result: str
@@ -30,10 +30,10 @@ class PlaneMiss:
     """The body of the function that computes by how much joint values miss the arm angle.
 
     Attributes:
-        entries: Give the pose's entries their names.
-        lines: What comes first.
-        off: What is missed.
-        rates: How fast joints 1, 2 and 3 change it.
+        entries: Statements that give the pose's entries their names.
+        lines: The other statements.
+        off: By how much the arm angle is missed.
+        rates: How fast joints 1, 2 and 3 change that.
     """
 
     entries: Sequence[str]
@@ -47,13 +47,13 @@ class Bodies:
     """The bodies of functions.
 
     Attributes:
-        solver: From pose to rows.
-        forward: From joint values to what the pose is made of.
-        forward_rows: The pose.
-        jacobian: From joint values to what the Jacobian is made of.
-        jacobian_rows: The Jacobian.
+        solver: From a pose to rows.
+        forward: From joint values to the values that a pose's entries name.
+        forward_rows: The entries of the pose.
+        jacobian: From joint values to the values that the Jacobian's entries name.
+        jacobian_rows: The entries of the Jacobian.
         arm_angle: From joint values to the arm angle, where the caller gives that.
-        plane_miss: From them to what they miss it by, where rows may.
+        plane_miss: By how much joint values miss the arm angle, where rows may miss it.
     """
 
     solver: Sequence[str]
@@ -75,9 +75,9 @@ def bodies_of(
 
     Args:
         module: The robot.
-        language: That they are written in.
-        assignments: Fill an array of this name with entries, in rows of so many.
-        entries: Give the pose's entries their names in a function of a descent.
+        language: The language to print.
+        assignments: Statements that fill an array of a name with entries, in rows of so many.
+        entries: Statements that give the pose's entries their names in a function of a descent.
     """
     forward = output_texts(module.forward, language)
     jacobian = output_texts(module.jacobian, language)

@@ -8,7 +8,7 @@
 #include "../numerical/pairs.h"
 #include "search.h"
 
-/* Descents beside what the algorithm found, where that is not certainly everything. */
+/* Descents besides what the algorithm found, where that is not certainly everything. */
 #define DHGEN_FEW_STARTS 12
 #if DHGEN_AHEAD < DHGEN_PLACES + DHGEN_FEW_STARTS
 #error "what both offer has to have room ahead"

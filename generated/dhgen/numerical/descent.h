@@ -189,11 +189,11 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
     d->length = sqrt(square);
 }
 
-/* The damped least-squares step for the miss e, `little` the least damping. */
-DHGEN_FN void dhgen_damped_step(
-    const struct dhgen_descent *d, const double *e, double length, double little, double *step)
+/* The damped least-squares step for the miss e, with a least damping. */
+DHGEN_FN void dhgen_damped_step(const struct dhgen_descent *d, const double *e, double length,
+    double least_damping, double *step)
 {
-    const double damping = DHGEN_DESCENT_DAMPING * fmin(length * length, 1.0) + little;
+    const double damping = DHGEN_DESCENT_DAMPING * fmin(length * length, 1.0) + least_damping;
     dhgen_least_squares(
         d->arm->equations, d->arm->solved, &d->A[0][0], DHGEN_JOINTS, damping, e, step);
 }
@@ -217,26 +217,26 @@ DHGEN_FN double dhgen_descend(struct dhgen_descent *d, double *u)
 {
     const struct dhgen_numerical_arm *const arm = d->arm;
     double best[DHGEN_JOINTS], step[DHGEN_JOINTS];
-    double least = HUGE_VAL, little = DHGEN_DAMPING_FLOOR;
+    double least = HUGE_VAL, least_damping = DHGEN_DAMPING_FLOOR;
     double last = HUGE_VAL, left = 0.0; /* the miss before a step, and what its curvature leaves */
     dhgen_copy_units(arm, u, best);     /* compilers can't infer that some miss is finite */
     for (int k = 0; k <= DHGEN_DESCENT_STEPS; k++) {
         dhgen_measure_miss(d, u);
         const int slow = d->length >= fmax(0.5 * last, left);
-        const double enough = little < DHGEN_DAMPING_FLOOR ? DHGEN_SOLUTION : DHGEN_EXACT;
+        const double enough = least_damping < DHGEN_DAMPING_FLOOR ? DHGEN_SOLUTION : DHGEN_EXACT;
         const int stalled = slow && least <= enough;
         if (slow && least <= DHGEN_SLOW_MISS)
-            little = DHGEN_FINE;
+            least_damping = DHGEN_FINE;
         if (d->length < least) {
             least = d->length;
             dhgen_copy_units(arm, u, best);
         }
         if (stalled)
             break;
-        dhgen_damped_step(d, d->e, d->length, little, step);
+        dhgen_damped_step(d, d->e, d->length, least_damping, step);
         const double curved = dhgen_make_step(arm, step, u);
         last = d->length;
-        left = little < DHGEN_DAMPING_FLOOR ? curved : 0.0;
+        left = least_damping < DHGEN_DAMPING_FLOOR ? curved : 0.0;
     }
     dhgen_copy_units(arm, best, u);
     return least;

@@ -47,7 +47,9 @@ if TYPE_CHECKING:
 OWN = of_file(__file__)
 apart, inner, jit = OWN.apart, OWN.inner, OWN.jit
 
-STARTS = 12  # the seed's among them, beside what the loop has where that is not certainly all
+# Descents, the seed's among them, besides what the algorithm finds where that is not certainly
+# everything.
+STARTS = 12
 # An angle above this [rad] of a turn that the arm does not have belongs to a pose that it does not
 # take: rounding of a pose, as far as it is accepted, is a thousand times less, and the angle is
 # more only where the arm is nearly singular. Where the certificate fails, or solutions meet, it may

@@ -50,7 +50,7 @@ LEAST_SETTLED = 1e-11
 # values that differ by more than the second decide [rad, arm sizes].
 EQUALLY_NEAR = 1e-7
 MEMBER_TIE = 1e-6
-# What is known of a walk beside where it is: how the distance from the seed falls along it; the
+# What is known of a walk besides where it is: how the distance from the seed falls along it; the
 # square of that of the best member where it is least, and whether that is inside the limits, -1
 # where there is none; the square of that of the nearest one inside that the walk came by.
 FALL, BEST_SQUARE, BEST_INSIDE, INSIDE_SQUARE = range(4)

@@ -9,8 +9,8 @@
 #include "parallel.h"
 
 /* A's smallest singular value below which a platform is singular, lengths in robot sizes, and what
- * a passive joint has to move of its own, beside those before it, not to depend on them [rad, robot
- * sizes]: the square root of what legs may miss, so that what is computed above it has six
+ * a passive joint has to move of its own, besides those before it, not to depend on them [rad,
+ * robot sizes]: the square root of what legs may miss, so that what is computed above it has six
  * digits. */
 #define DHGEN_SINGULAR_PLATFORM 1e-6
 

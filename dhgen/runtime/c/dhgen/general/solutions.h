@@ -16,7 +16,7 @@
 /* Below this it is nearly singular: copies of a singular solution, as far away from it as a miss of
  * 1e-10 leaves them, are no less so. */
 #define DHGEN_NEARLY_SINGULAR_PIVOT 0.0001
-/* The tolerance `polished`: by how much the loop of a solution may be open [rad, arm sizes]. */
+/* The tolerance `refined`: by how much the loop of a solution may be open [rad, arm sizes]. */
 #define DHGEN_LOOP_RESIDUAL 1e-10
 /* Beyond this an angle below zero is half a turn that was rounded [rad]. */
 #define DHGEN_ALMOST_PI 3.141592653589783
