@@ -90,3 +90,17 @@ def first_of(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
     return [
         pytest.param(*each, marks=BREADTH if k >= count else ()) for k, each in enumerate(values)
     ]
+
+
+def quick_first(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
+    """All cases, as a test takes them: those behind the first ones are slow.
+
+    Args:
+        cases: As for first_of; those behind the first ones take seconds each.
+        count: How many of them run in every call of pytest.
+    """
+    values = [case if isinstance(case, tuple) else (case,) for case in cases]
+    return [
+        pytest.param(*each, marks=pytest.mark.slow if k >= count else ())
+        for k, each in enumerate(values)
+    ]

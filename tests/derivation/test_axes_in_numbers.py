@@ -40,6 +40,7 @@ def test_entries_of_the_pose_and_points_of_axes_have_letters_of_their_own() -> N
     assert "p_{12}" not in text
 
 
+@pytest.mark.slow
 def test_lengths_that_cancel_are_left_out() -> None:
     text = written()
     assert r"$\sqrt{Z_1^2 + Z_2^2}$ is greater than $p_{4x}$. The two" in text  # never less than 0

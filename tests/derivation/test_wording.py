@@ -102,7 +102,11 @@ def test_the_half_angle_s_tangent_is_written_in_one_way(name: str) -> None:
         ("general_6r", r"singular where $\det J = 0$: there the joints can move"),
         ("xarm7", "singular where the columns of $J$ of the joints that are not given are"),
         ("general_5r", "singular where the columns of $J$ are linearly dependent"),
-        ("general_5r_pointing", "without moving the tool's origin or turning its z axis"),
+        pytest.param(
+            "general_5r_pointing",
+            "without moving the tool's origin or turning its z axis",
+            marks=pytest.mark.slow,
+        ),
     ],
 )
 def test_general_arms_say_where_they_are_singular(name: str, where: str) -> None:

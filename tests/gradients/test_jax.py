@@ -10,6 +10,7 @@ import pytest
 from dhgen.runtime.helpers import dhgen_grad
 from tests.gradients.moves import POSTURES, move, robot
 from tests.gradients.on_gpu import pretend
+from tests.structures import quick_first
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -85,7 +86,9 @@ def test_single_precision() -> None:
         ik(np.eye(4, dtype=int))
 
 
-@pytest.mark.parametrize("name", ["ur5", "kuka_iiwa14", "welding_5r", "abb_irb460"])
+@pytest.mark.parametrize(
+    "name", quick_first(["ur5", "welding_5r", "kuka_iiwa14", "abb_irb460"], count=2)
+)
 def test_on_a_gpu_the_library_calculates(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     """Outside jit; inside poses come to the CPU."""
     given = [*map(jax.numpy.asarray, move(name).given)]

@@ -19,6 +19,7 @@ from tests.nominal.fleets import (
     random_joints,
     table_of,
 )
+from tests.structures import quick_first
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 OFFS = (1e-12, 1e-7, 5e-5, 2e-4, 5e-3, 2e-2)  # [rad]
 
 
-@pytest.mark.parametrize("name", ["puma560", "abb_irb120"])
+@pytest.mark.parametrize("name", quick_first(["puma560", "abb_irb120"]))
 def test_statuses_beside_limits(name: str, tmp_path: Path) -> None:
     """The general algorithm alone has the same ones, and moves no row to a limit that it misses."""
     write_files(tmp_path, c_runtime_files())

@@ -42,7 +42,7 @@ from tests.nominal.fleets import (
     turned,
 )
 from tests.nominal.twins import ROBOTS, twin
-from tests.structures import first_of
+from tests.structures import first_of, quick_first
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -316,7 +316,7 @@ def run_program(arguments: list[str], folder: Path) -> str:
     return done.stdout
 
 
-@pytest.mark.parametrize("single_file", [False, True])
+@pytest.mark.parametrize("single_file", quick_first([False, True]))
 def test_no_warnings_and_several_kinds_in_one_program(*, single_file: bool, tmp_path: Path) -> None:
     if not single_file:
         write_files(tmp_path, c_runtime_files())

@@ -53,6 +53,7 @@ def assert_found(rows: np.ndarray, q: np.ndarray) -> None:
 
 
 # d of row 5 and a of rows 4 and 5: each parts two of the wrist's axes.
+@pytest.mark.slow
 @pytest.mark.parametrize(("row", "column", "by"), [(4, 1, 2e-4), (4, 2, -1e-4), (3, 2, 3e-4)])
 def test_fleets_have_all_solutions(row: int, column: int, by: float, folder: Path) -> None:
     name, q = "puma560", straight(POSES)

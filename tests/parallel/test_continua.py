@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tests.parallel.made import native, python
+from tests.structures import quick_first
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -51,6 +52,7 @@ def test_a_continuum_is_told(name: str, drives: Sequence[float], status: str, to
         native(name).assemblies(np.array(drives))
 
 
+@pytest.mark.slow
 def test_a_platform_on_equal_cranks_goes_around_in_both_languages() -> None:
     """At every place on the circle the direct model says that other poses meet that one."""
     for angle in (0.3, 2.0, 4.4):
@@ -88,7 +90,7 @@ def test_cranks_that_end_at_one_point() -> None:
     assert len(python("unequal_five_bar").assemblies(drives)) == 0
 
 
-@pytest.mark.parametrize("size", [1e-5, 1e-3])
+@pytest.mark.parametrize("size", quick_first([1e-5, 1e-3]))
 def test_nearly_equal_cranks_hide_none(size: float) -> None:
     """Four roots lie near one angle, and have a fourth of the digits: an even number is found."""
     source = np.random.default_rng(2)
@@ -125,6 +127,7 @@ task: [x, y, yaw]
 """
 
 
+@pytest.mark.slow
 def test_a_platform_that_drives_never_hold_is_refused(tmp_path: Path) -> None:
     """Its three cylinders carry one point: nothing keeps its yaw, whatever the count says."""
     path = tmp_path / "one_point.yaml"

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from tests.parallel.made import native, python
+from tests.structures import quick_first
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -66,6 +67,7 @@ def test_two_circles_that_touch() -> None:
         demand_a_merge("unequal_five_bar", at, 0)
 
 
+@pytest.mark.slow
 def test_three_spheres_that_touch() -> None:
     """A linear Delta whose rods lie in a plane: the circle of their upper ends has their length."""
     corners = np.array([[np.cos(angle), np.sin(angle)] for angle in np.radians([0, 120, 240])])
@@ -137,7 +139,7 @@ def test_two_of_the_roots_of_a_platform_on_three_cylinders() -> None:
     assert set(counts) >= {0, 2}
 
 
-@pytest.mark.parametrize("name", ["six_assemblies", "parallel_3rpr"])
+@pytest.mark.parametrize("name", quick_first(["six_assemblies", "parallel_3rpr"]))
 def test_assemblies_of_three_circles_ascend(name: str) -> None:
     """By their yaw, so that a pose's row does not hang on where a search began."""
     source = np.random.default_rng(6)

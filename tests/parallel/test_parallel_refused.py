@@ -75,6 +75,7 @@ def test_legs_that_limits_keep_apart(tmp_path: Path) -> None:
     assert told.endswith(": look at the limits")
 
 
+@pytest.mark.slow
 def test_a_platform_that_its_drives_never_hold(tmp_path: Path) -> None:
     told = refusal(TURNING, tmp_path)
     assert told.startswith("at all 60 poses the platform can move while its drives are held")

@@ -104,6 +104,7 @@ def test_a_tool_that_points_along_the_axis_of_the_last_joint() -> None:
     assert derive(build_chain(table(*rows, task="pose"))).method is Method.CLOSED_FORM
 
 
+@pytest.mark.slow
 def test_a_planar_arm_asked_for_a_pose_hears_of_the_task_of_a_plane() -> None:
     lines = refused(*["theta: q, a: 0.3"] * 6, task="pose")
     assert lines[0] == f"{FEW}3 independent motions are left, and the task asks for 6"
