@@ -19,7 +19,11 @@
 #endif
 #define DHGEN_LEGS 3
 #define DHGEN_LEG_ROWS 4
+#define DHGEN_LEG_JOINTS 3
 #define DHGEN_LEG_DRIVES 1
+#define DHGEN_DRIVES 3
+#define DHGEN_ASSEMBLIES 2
+#define DHGEN_ELIMINATION DHGEN_THREE_SPHERES
 #include "dhgen/assemblies.h"
 #include "dhgen/drives.h"
 
@@ -274,58 +278,5 @@ const char *const *const delta_branches[3] = {
 
 const int delta_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
 
-int delta_ik(const double T[16], const double *q_seed,
-    double q[3][4][3], unsigned char status[3][4])
-{
-    return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
-}
-
-int delta_ik_nearest(const double T[16], const double *q_seed, double q[3][3])
-{
-    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
-}
-
-void delta_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_batch(&robot, n, T, q, status);
-}
-
-static int one_pose(const double *T, double *q, unsigned char *status)
-{
-    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
-}
-
-int delta_ik_drives(const double T[16], double q[3][4][1], unsigned char status[3][4])
-{
-    return one_pose(T, &q[0][0][0], &status[0][0]);
-}
-
-void delta_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
-}
-
-void delta_take_drives(const double *q, double drives[3])
-{
-    dhgen_take_drives(&robot, q, drives);
-}
-
-int delta_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][3])
-{
-    return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
-}
-
-int delta_assemblies(const double drives[3], double T[2][16])
-{
-    return dhgen_assemblies(&robot, DHGEN_THREE_SPHERES, drives, &T[0][0]);
-}
-
-int delta_velocities(const double T[16], const double *q, double A[9], double B[9])
-{
-    return dhgen_parallel_velocities(&robot, T, q, A, B);
-}
-
-int delta_singularities(const double T[16], const double *q, double least[2])
-{
-    return dhgen_parallel_singularities(&robot, T, q, least);
-}
+#define DHGEN_NAME(function) delta_##function
+#include "dhgen/functions_parallel.h"

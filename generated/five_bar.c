@@ -19,7 +19,11 @@
 #endif
 #define DHGEN_LEGS 2
 #define DHGEN_LEG_ROWS 2
+#define DHGEN_LEG_JOINTS 2
 #define DHGEN_LEG_DRIVES 1
+#define DHGEN_DRIVES 2
+#define DHGEN_ASSEMBLIES 2
+#define DHGEN_ELIMINATION DHGEN_TWO_CIRCLES
 #include "dhgen/assemblies.h"
 #include "dhgen/drives.h"
 
@@ -205,58 +209,5 @@ const char *const *const five_bar_branches[2] = {
 
 const int five_bar_drives[2][2] = { { 0, 0 }, { 1, 0 } };
 
-int five_bar_ik(const double T[16], const double *q_seed,
-    double q[2][2][2], unsigned char status[2][2])
-{
-    return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
-}
-
-int five_bar_ik_nearest(const double T[16], const double *q_seed, double q[2][2])
-{
-    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
-}
-
-void five_bar_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_batch(&robot, n, T, q, status);
-}
-
-static int one_pose(const double *T, double *q, unsigned char *status)
-{
-    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
-}
-
-int five_bar_ik_drives(const double T[16], double q[2][2][1], unsigned char status[2][2])
-{
-    return one_pose(T, &q[0][0][0], &status[0][0]);
-}
-
-void five_bar_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
-}
-
-void five_bar_take_drives(const double *q, double drives[2])
-{
-    dhgen_take_drives(&robot, q, drives);
-}
-
-int five_bar_fk(const double drives[2], const double T_seed[16], double T[16], double q[2][2])
-{
-    return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
-}
-
-int five_bar_assemblies(const double drives[2], double T[2][16])
-{
-    return dhgen_assemblies(&robot, DHGEN_TWO_CIRCLES, drives, &T[0][0]);
-}
-
-int five_bar_velocities(const double T[16], const double *q, double A[4], double B[4])
-{
-    return dhgen_parallel_velocities(&robot, T, q, A, B);
-}
-
-int five_bar_singularities(const double T[16], const double *q, double least[2])
-{
-    return dhgen_parallel_singularities(&robot, T, q, least);
-}
+#define DHGEN_NAME(function) five_bar_##function
+#include "dhgen/functions_parallel.h"

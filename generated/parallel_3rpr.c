@@ -20,7 +20,11 @@
 #endif
 #define DHGEN_LEGS 3
 #define DHGEN_LEG_ROWS 2
+#define DHGEN_LEG_JOINTS 2
 #define DHGEN_LEG_DRIVES 1
+#define DHGEN_DRIVES 3
+#define DHGEN_ASSEMBLIES 6
+#define DHGEN_ELIMINATION DHGEN_THREE_CIRCLES
 #include "dhgen/assemblies.h"
 #include "dhgen/drives.h"
 
@@ -221,58 +225,5 @@ const char *const *const parallel_3rpr_branches[3] = {
 
 const int parallel_3rpr_drives[3][2] = { { 0, 1 }, { 1, 1 }, { 2, 1 } };
 
-int parallel_3rpr_ik(const double T[16], const double *q_seed,
-    double q[3][2][2], unsigned char status[3][2])
-{
-    return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
-}
-
-int parallel_3rpr_ik_nearest(const double T[16], const double *q_seed, double q[3][2])
-{
-    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
-}
-
-void parallel_3rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_batch(&robot, n, T, q, status);
-}
-
-static int one_pose(const double *T, double *q, unsigned char *status)
-{
-    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
-}
-
-int parallel_3rpr_ik_drives(const double T[16], double q[3][2][1], unsigned char status[3][2])
-{
-    return one_pose(T, &q[0][0][0], &status[0][0]);
-}
-
-void parallel_3rpr_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
-}
-
-void parallel_3rpr_take_drives(const double *q, double drives[3])
-{
-    dhgen_take_drives(&robot, q, drives);
-}
-
-int parallel_3rpr_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][2])
-{
-    return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
-}
-
-int parallel_3rpr_assemblies(const double drives[3], double T[6][16])
-{
-    return dhgen_assemblies(&robot, DHGEN_THREE_CIRCLES, drives, &T[0][0]);
-}
-
-int parallel_3rpr_velocities(const double T[16], const double *q, double A[9], double B[9])
-{
-    return dhgen_parallel_velocities(&robot, T, q, A, B);
-}
-
-int parallel_3rpr_singularities(const double T[16], const double *q, double least[2])
-{
-    return dhgen_parallel_singularities(&robot, T, q, least);
-}
+#define DHGEN_NAME(function) parallel_3rpr_##function
+#include "dhgen/functions_parallel.h"

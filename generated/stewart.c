@@ -19,7 +19,9 @@
 #endif
 #define DHGEN_LEGS 6
 #define DHGEN_LEG_ROWS 4
+#define DHGEN_LEG_JOINTS 3
 #define DHGEN_LEG_DRIVES 1
+#define DHGEN_DRIVES 6
 #include "dhgen/direct.h"
 #include "dhgen/drives.h"
 
@@ -295,53 +297,5 @@ const char *const *const stewart_branches[6] = {
 
 const int stewart_drives[6][2] = { { 0, 2 }, { 1, 2 }, { 2, 2 }, { 3, 2 }, { 4, 2 }, { 5, 2 } };
 
-int stewart_ik(const double T[16], const double *q_seed,
-    double q[6][4][3], unsigned char status[6][4])
-{
-    return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
-}
-
-int stewart_ik_nearest(const double T[16], const double *q_seed, double q[6][3])
-{
-    return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
-}
-
-void stewart_ik_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_batch(&robot, n, T, q, status);
-}
-
-static int one_pose(const double *T, double *q, unsigned char *status)
-{
-    return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
-}
-
-int stewart_ik_drives(const double T[16], double q[6][4][1], unsigned char status[6][4])
-{
-    return one_pose(T, &q[0][0][0], &status[0][0]);
-}
-
-void stewart_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status)
-{
-    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
-}
-
-void stewart_take_drives(const double *q, double drives[6])
-{
-    dhgen_take_drives(&robot, q, drives);
-}
-
-int stewart_fk(const double drives[6], const double T_seed[16], double T[16], double q[6][3])
-{
-    return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
-}
-
-int stewart_velocities(const double T[16], const double *q, double A[36], double B[36])
-{
-    return dhgen_parallel_velocities(&robot, T, q, A, B);
-}
-
-int stewart_singularities(const double T[16], const double *q, double least[2])
-{
-    return dhgen_parallel_singularities(&robot, T, q, least);
-}
+#define DHGEN_NAME(function) stewart_##function
+#include "dhgen/functions_parallel.h"

@@ -356,12 +356,15 @@ def test_verification_sees_what_is_wrong(tmp_path: Path, monkeypatch: pytest.Mon
         place.mkdir()
         write_files(place, {**runtime_files(), **kind_files(own), **kind_module(own)})
     verify_kind(own, places[0])
-    changes = (AXES, AXES.replace("1.0", "-1.0", 1)), (RATES, f"{RATES}    J[0] += 1e-3;\n")
-    for place, change, what in zip(places[1:], changes, ("fk", "the Jacobian"), strict=True):
-        source = place / f"{own.module.name}.c"
-        text = source.read_text("utf-8")
-        assert change[0] in text
-        source.write_text(text.replace(*change), encoding="utf-8")
+    module, functions = f"{own.module.name}.c", "dhgen/functions_calibrated.h"
+    changes = (
+        (module, AXES, AXES.replace("1.0", "-1.0", 1), "fk"),
+        (functions, RATES, f"{RATES}    J[0] += 1e-3;\n", "the Jacobian"),
+    )
+    for place, (name, right, wrong, what) in zip(places[1:], changes, strict=True):
+        text = (place / name).read_text("utf-8")
+        assert right in text
+        (place / name).write_text(text.replace(right, wrong), encoding="utf-8")
         with pytest.raises(VerificationError, match=f"{what} is off by"):
             verify_kind(own, place)
 

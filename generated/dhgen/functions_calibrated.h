@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The functions of arms of one kind, whose tables come at run time. */
+#ifndef DHGEN_FUNCTIONS_CALIBRATED_H
+#define DHGEN_FUNCTIONS_CALIBRATED_H
+
+/* Regular poses: what the caller gives is the arm. Returns how many rows are OK, or -1 if the pose
+ * has to be left to `solve`. */
+DHGEN_FN int solve_certain(
+    const double *T, const double *free_joints, double *q, unsigned char *status)
+{
+    return dhgen_certain_rows(&kind, dhgen_handed_arm(free_joints), T, q, status);
+}
+
+/* Fills the rows that have a solution, and no others. */
+DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
+    double *q, unsigned char *status)
+{
+    (void)moved;
+    dhgen_calibrated_rows(&kind, dhgen_handed_arm(free_joints), T, seed, q, status);
+}
+
+DHGEN_PUBLIC int DHGEN_NAME(calibrate)(const double *table, dhgen_calibration *arm)
+{
+    return dhgen_calibrate(&kind, table, arm);
+}
+
+DHGEN_PUBLIC int DHGEN_NAME(calibrate_origins)(const double *origins, dhgen_calibration *arm)
+{
+    return dhgen_calibrate_origins(&kind, origins, arm);
+}
+
+DHGEN_PUBLIC void DHGEN_NAME(fk)(
+    const dhgen_calibration *arm, const double q[DHGEN_DOF], double T[16])
+{
+    dhgen_serial_pose(arm, q, T);
+}
+
+DHGEN_PUBLIC void DHGEN_NAME(jacobian)(
+    const dhgen_calibration *arm, const double q[DHGEN_DOF], double J[6 * DHGEN_DOF])
+{
+    dhgen_serial_jacobian(arm, q, J);
+}
+
+DHGEN_PUBLIC void DHGEN_NAME(joint_velocities)(const dhgen_calibration *arm,
+    const double q[DHGEN_DOF], const double twist[6], double velocities[DHGEN_DOF])
+{
+    const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
+    dhgen_joint_velocities(&own.arm, q, twist, velocities);
+}
+
+DHGEN_PUBLIC int DHGEN_NAME(ik)(const dhgen_calibration *arm, const double T[16],
+    const double *q_seed, double q[DHGEN_ROWS][DHGEN_DOF], unsigned char status[DHGEN_ROWS])
+{
+    const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
+    return dhgen_ik(&own.arm, T, dhgen_handed_on(arm), q_seed, &q[0][0], status);
+}
+
+DHGEN_PUBLIC int DHGEN_NAME(ik_nearest)(const dhgen_calibration *arm, const double T[16],
+    const double q_seed[DHGEN_DOF], double q[DHGEN_DOF])
+{
+    const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
+    return dhgen_ik_nearest(&own.arm, T, dhgen_handed_on(arm), q_seed, q);
+}
+
+DHGEN_PUBLIC void DHGEN_NAME(ik_batch)(
+    const dhgen_calibration *arm, size_t n, const double *T, double *q, unsigned char *status)
+{
+    const struct dhgen_calibrated_arm own = dhgen_calibrated_arm_of(&kind, arm);
+    dhgen_ik_each(&own.arm, 0, n, T, dhgen_handed_on(arm), q, status);
+}
+
+#endif
