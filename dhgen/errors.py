@@ -75,6 +75,11 @@ class RobotFileError(DhgenError):
         return "\n".join((*map(str, self.diagnostics), *notes))
 
 
+def refused(file: Path | str, message: str) -> RobotFileError:
+    """What is raised for a file as a whole, without a place in it."""
+    return RobotFileError((Diagnostic(str(file), 0, 0, message),))
+
+
 class CommandError(DhgenError):
     """A mistake on the command line that only the file system shows."""
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeAlias
 
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.wishes import Wishes
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import RobotFileError, refused
 from dhgen.legs.read import assemble_parallel
 from dhgen.robot.assemble import assemble
 from dhgen.robot.load import demand_right, is_description, load_text, read_text, source_of
@@ -205,4 +205,4 @@ def _name_taken(path: Path, stem: str, other: Path, its: str) -> RobotFileError:
     """The refusal of a file whose robot would be written over another's."""
     capitals = "" if stem == its else ", which differ in capitals only"
     message = f"{other} also generates files named '{its}'{capitals}: rename one of the robots"
-    return RobotFileError((Diagnostic(str(path), 0, 0, message),))
+    return refused(path, message)

@@ -15,7 +15,7 @@ from dhgen.descriptions.lines import arm_of
 from dhgen.descriptions.misses import misses
 from dhgen.descriptions.snap import LEAST, snap
 from dhgen.descriptions.write import Heading, plain
-from dhgen.errors import Diagnostic, RobotFileError, VerificationError
+from dhgen.errors import VerificationError, refused
 from dhgen.kinematics.build import build_chain
 from dhgen.robot.load import load_text
 from dhgen.robot.names import YAML_WORDS, why_no_robot_name
@@ -64,11 +64,11 @@ def calibrate(
     """
     if robot.task.kind is not TaskKind.POSE:
         wanted = f"{robot.name} is asked for {robot.task.kind.value}"
-        raise _refusal(calibration, f"{wanted}: calibrations are for arms with `task: pose`")
+        raise refused(calibration.file, f"{wanted}: calibrations are for arms with `task: pose`")
     if robot.is_coupled:
         reason = "calibrations are for arms whose joints have a drive and limits each"
-        raise _refusal(
-            calibration, f"drives of {robot.name} are coupled, or sums limited: {reason}"
+        raise refused(
+            calibration.file, f"drives of {robot.name} are coupled, or sums limited: {reason}"
         )
     joints = calibrated_joints(robot, calibration)
     snapped = snap(joints, LEAST, LEAST)
@@ -77,7 +77,7 @@ def calibrate(
     if moved.relative > FAR:
         reason = f"this is the calibration of another arm: by it the tool of {robot.name} is up to "
         far = f"{moved.moved:.2g} {robot.length_unit} and {moved.turned:.2g} rad away"
-        raise _refusal(calibration, reason + far + _unit_hint(robot, calibration))
+        raise refused(calibration.file, reason + far + _unit_hint(robot, calibration))
     why_not = _why_no_name(name, robot)
     heading = Heading(
         name=f"{robot.name}_calibrated" if why_not else name,
@@ -125,7 +125,3 @@ def _called(calibration: Calibration) -> str:
     """How the source line calls a calibration."""
     file = plain(PurePath(calibration.file).name)
     return f"the calibration {plain(calibration.words)} of {file}" if calibration.words else file
-
-
-def _refusal(calibration: Calibration, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(calibration.file, 0, 0, message),))

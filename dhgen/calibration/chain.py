@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.descriptions.model import Joint, Motion
 from dhgen.descriptions.rotations import STILL, about, dot, from_rpy, minus, placed, to_rpy, turned
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import refused
 from dhgen.robot.expression import evaluate
 from dhgen.robot.robot import Convention, DhTable, JointKind
 from dhgen.robot.source import Span
@@ -36,15 +36,19 @@ def calibrated_joints(robot: Robot, calibration: Calibration) -> tuple[Joint, ..
     values = {parameter.name: parameter.value for parameter in robot.parameters}
     count = len(robot.joints)
     if len(calibration.rows) != count:
-        raise _refusal(calibration, f"{len(calibration.rows)} rows for an arm of {count} joints")
+        raise refused(
+            calibration.file, f"{len(calibration.rows)} rows for an arm of {count} joints"
+        )
     base, tool = _frame(robot.base, values), _frame(robot.tool, values)
     if calibration.is_deltas:
         if not isinstance(robot.geometry, DhTable):
-            raise _refusal(calibration, "deltas are for arms with a table; this one has axes")
+            raise refused(calibration.file, "deltas are for arms with a table; this one has axes")
         measured = _origins_of_rows(robot.geometry, calibration.rows, values)
         origins = _slid(measured, _origins_of_rows(robot.geometry, [NO_DELTAS] * count, values))
     elif robot.length_unit != "m":
-        raise _refusal(calibration, f"origins are in m, lengths of the arm in {robot.length_unit}")
+        raise refused(
+            calibration.file, f"origins are in m, lengths of the arm in {robot.length_unit}"
+        )
     else:
         rows = [(from_rpy(_vector(row[3:])), _vector(row[:3])) for row in calibration.rows]
         origins = [*rows, NOWHERE]
@@ -125,7 +129,3 @@ def _frame(frame: Frame, values: Mapping[str, float]) -> Placed:
 def _vector(parts: Sequence[float]) -> tuple[float, float, float]:
     x, y, z = parts
     return x, y, z
-
-
-def _refusal(calibration: Calibration, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(calibration.file, 0, 0, message),))

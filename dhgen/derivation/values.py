@@ -189,3 +189,10 @@ def degrees(value: float) -> Symbol:
     """An angle in degrees, to five digits."""
     shown = figures(math.degrees(value), 100.0)
     return Symbol(rf"{shown.latex}^\circ", f"{shown.text}°")
+
+
+def joint_value(story: Story, joint: int, value: float) -> Symbol:
+    """A joint value, as an angle or a length."""
+    if joint in story.algebra.slides:
+        return figures(value, story.algebra.chain.size)
+    return degrees(value)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.model import Motion
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import Diagnostic, RobotFileError, refused
 from dhgen.robot.arithmetic import nearest
 from dhgen.robot.source import quoted
 
@@ -314,4 +314,4 @@ def _count(children: dict[str, list[Joint]], first: Joint) -> int:
 
 
 def _refusal(description: Description, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(description.source.file, 0, 0, message),))
+    return refused(description.source.file, message)

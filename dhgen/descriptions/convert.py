@@ -24,7 +24,7 @@ from dhgen.descriptions.write import (
     plain,
     table_text,
 )
-from dhgen.errors import Diagnostic, RobotFileError, VerificationError
+from dhgen.errors import RobotFileError, VerificationError, refused
 from dhgen.robot.load import load_text
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, .
     listed = ", ".join(map(str, free))
     where = f"the arm from {plain(chain.base)} to {plain(chain.tip)} has joints 1 to {count}"
     message = f"joints {listed} can't be free: {where}, and each is named once, in ascending order"
-    raise RobotFileError((Diagnostic(description.source.file, 0, 0, message),))
+    raise refused(description.source.file, message)
 
 
 def _heading(description: Description, chain: ArmChain, free: tuple[int, ...] | str) -> Heading:
@@ -142,7 +142,7 @@ def _demand_drives(heading: Heading, arm: Arm) -> None:
     """Refuses joints that follow others where axes are written, which hold no such thing."""
     if any(axis.shares for axis in arm.axes):
         message = "joints follow others (mimic), which a table can say, and axes can't"
-        raise RobotFileError((Diagnostic(heading.source, 0, 0, message),))
+        raise refused(heading.source, message)
 
 
 def _snap_note(snapped: Snapped, off: Difference, near: float) -> str:

@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import refused
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def expanded(path: Path, outside: Outside) -> bytes:
         xacrodoc = importlib.import_module("xacrodoc")
     except ImportError:
         message = "this is a xacro, which needs xacrodoc: pip install 'dhgen[xacro]'"
-        raise _refusal(path, message) from None
+        raise refused(path, message) from None
     xacrodoc.packages.reset()  # what it found for another file counts for that alone
     xacrodoc.packages.update_package_cache(outside.packages)
     for _ in range(MOST_PACKAGES):
@@ -63,13 +63,13 @@ def expanded(path: Path, outside: Outside) -> bytes:
             missing = _missing_package(error)
             reason = " ".join(str(error).split())[:300]
             if not missing:
-                raise _refusal(path, f"xacro stops: {reason or type(error).__name__}") from None
+                raise refused(path, f"xacro stops: {reason or type(error).__name__}") from None
         folder = _beside(path, missing)
         if folder is None:
             message = f"xacro asks for the package {quoted(missing)}, which is nowhere above the "
-            raise _refusal(path, f"{message}file: name its folder, --package {missing}=DIR")
+            raise refused(path, f"{message}file: name its folder, --package {missing}=DIR")
         xacrodoc.packages.update_package_cache({missing: folder})
-    raise _refusal(path, f"xacro asks for more than {MOST_PACKAGES} packages")
+    raise refused(path, f"xacro asks for more than {MOST_PACKAGES} packages")
 
 
 def _run(xacrodoc: Any, path: Path, arguments: Mapping[str, str]) -> bytes:  # noqa: ANN401
@@ -97,7 +97,3 @@ def _beside(path: Path, package: str) -> Path | None:
             if place.name == package and place.is_dir():
                 return place
     return None
-
-
-def _refusal(path: Path, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(str(path), 0, 0, message),))

@@ -10,7 +10,7 @@ from dhgen.descriptions.expand import expanded, has_expressions, has_macros
 from dhgen.descriptions.markup import MAX_BYTES, read_xml
 from dhgen.descriptions.mjcf import read_mjcf
 from dhgen.descriptions.urdf import read_urdf
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import Diagnostic, RobotFileError, refused
 from dhgen.robot.load import kind_of_xml
 
 if TYPE_CHECKING:
@@ -38,12 +38,12 @@ def read_description(path: Path, outside: Outside) -> Description:
             content = file.read(MAX_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise _refusal(path, f"the file can't be read: {reason}") from None
+        raise refused(path, f"the file can't be read: {reason}") from None
     kind = kind_of_xml(content)
     if kind == "an SDF":
-        raise _refusal(path, "this is an SDF, which is not read: convert it to URDF first")
+        raise refused(path, "this is an SDF, which is not read: convert it to URDF first")
     if kind is None:
-        raise _refusal(path, "this is no robot description: a URDF begins with <robot>")
+        raise refused(path, "this is no robot description: a URDF begins with <robot>")
     if kind == "an MJCF":
         return read_mjcf(path)
     read_xml(content, str(path))  # what could harm is refused before anything else looks at it
@@ -74,7 +74,3 @@ def read_as_robot_file(path: Path, wishes: Wishes, outside: Outside) -> tuple[st
     imported = import_file(path, wishes, outside)
     notices = tuple(Diagnostic(str(path), 0, 0, note) for note in imported.notes)
     return imported.text, replace(imported.robot, notices=notices)
-
-
-def _refusal(path: Path, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(str(path), 0, 0, message),))

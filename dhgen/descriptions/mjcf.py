@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from dhgen.descriptions.model import Description, Joint, Mimic, Motion
 from dhgen.descriptions.rotations import about, product, times, to_rpy, turned
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import refused
 from dhgen.robot.source import SourceText, Span
 
 if TYPE_CHECKING:
@@ -38,12 +38,12 @@ def read_mjcf(path: Path) -> Description:
         mujoco = importlib.import_module("mujoco")
     except ImportError:
         message = "this is an MJCF, which needs mujoco: pip install 'dhgen[mjcf]'"
-        raise _refusal(path, message) from None
+        raise refused(path, message) from None
     try:
         model = mujoco.MjModel.from_xml_path(str(path))
     except (ValueError, mujoco.FatalError) as error:
         reason = " ".join(str(error).split())
-        raise _refusal(path, f"MuJoCo can't compile this: {reason[:300]}") from None
+        raise refused(path, f"MuJoCo can't compile this: {reason[:300]}") from None
     name = model.names.split(b"\0", 1)[0].decode() or path.stem
     source = SourceText.of("", str(path))
     joints: dict[str, Joint] = {}
@@ -203,7 +203,3 @@ def _rotation(quaternion: Any) -> Rotation:  # noqa: ANN401 - an array of mujoco
         (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
         (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
     )
-
-
-def _refusal(path: Path, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(str(path), 0, 0, message),))

@@ -18,7 +18,7 @@ from ruamel.yaml.events import (
 )
 from ruamel.yaml.nodes import MappingNode, Node, ScalarNode, SequenceNode
 
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import Diagnostic, RobotFileError, refused
 from dhgen.robot.nodes import Pairs, index_pairs, is_null, span_of
 from dhgen.robot.source import SourceText, Span, quoted
 from dhgen.robot.syntax import missing_blank, syntax_errors
@@ -120,11 +120,11 @@ def read_document(source: SourceText) -> Document:
             raise RobotFileError((source.point(Span(0), _TABLE),)) from None
         raise RobotFileError(syntax_errors(source, error, _check_events)) from None
     except YAMLError as error:
-        raise _whole(source, f"not valid YAML: {error}") from None
+        raise refused(source.file, f"not valid YAML: {error}") from None
     except (ValueError, OverflowError):  # an escape like \\UFFFFFFFF, beyond Unicode
-        raise _whole(source, "not valid YAML: an escape stands for no character") from None
+        raise refused(source.file, "not valid YAML: an escape stands for no character") from None
     if root is None or is_null(root):
-        raise _whole(source, "the file is empty")
+        raise refused(source.file, "the file is empty")
     if not isinstance(root, MappingNode):
         message = _TABLE if _is_table(text) else missing_blank(str(root.value)) or _KEYS
         raise RobotFileError((source.point(span_of(root), message),))
@@ -132,13 +132,9 @@ def read_document(source: SourceText) -> Document:
     return Document(source, root, pairs, tuple(mistakes))
 
 
-def _whole(source: SourceText, message: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(source.file, 0, 0, message),))
-
-
 def _check_characters(source: SourceText) -> None:
     if len(source.text) > MAX_BYTES:
-        raise _whole(source, f"a robot file has at most {MAX_BYTES // 1024} KiB")
+        raise refused(source.file, f"a robot file has at most {MAX_BYTES // 1024} KiB")
     found = _FORBIDDEN.search(source.text)
     if found:
         message = f"the character U+{ord(found[0]):04X} is not allowed in a robot file"

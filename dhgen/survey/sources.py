@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import Diagnostic, RobotFileError, refused
 from dhgen.kinematics.neighbours import EXACT, axis_triples
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.task import TaskKind
@@ -96,9 +96,9 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
     elif path.exists():
         files = [Source(path, path.stem)]
     else:
-        raise _refusal(path, "no such file or folder")
+        raise refused(path, "no such file or folder")
     if not files:
-        raise _refusal(path, NONE_HERE if path.is_dir() else "the list is empty")
+        raise refused(path, NONE_HERE if path.is_dir() else "the list is empty")
     return files
 
 
@@ -106,7 +106,7 @@ def _robots_in(folder: Path) -> list[Path]:
     try:  # Path.glob finds nothing where it may not look
         return sorted(each for each in folder.iterdir() if each.suffix in ENDINGS)
     except OSError as error:
-        raise _refusal(folder, f"the folder can't be read: {error.strerror}") from None
+        raise refused(folder, f"the folder can't be read: {error.strerror}") from None
 
 
 def _unpacked(path: Path, folder: Path, before: int) -> list[Source]:
@@ -130,22 +130,22 @@ def _tables(path: Path) -> list[dict[str, Any]]:
     try:
         tables = json.loads(path.read_text(encoding="utf-8"), object_pairs_hook=_unique)
     except OSError as error:
-        raise _refusal(path, f"the list can't be read: {error.strerror}") from None
+        raise refused(path, f"the list can't be read: {error.strerror}") from None
     except RecursionError:
-        raise _refusal(path, "the list can't be read: it is nested too deeply") from None
+        raise refused(path, "the list can't be read: it is nested too deeply") from None
     except ValueError as error:
-        raise _refusal(path, f"the list can't be read: {error}") from None
+        raise refused(path, f"the list can't be read: {error}") from None
     if isinstance(tables, dict) and "name" in tables:
         return [tables]
     if not isinstance(tables, list):
-        raise _refusal(path, "expected a list of tables: [{...}, ...]")
+        raise refused(path, "expected a list of tables: [{...}, ...]")
     wrong = [str(n) for n, table in enumerate(tables, start=1) if not isinstance(table, dict)]
     if wrong:
         if len(wrong) == 1:
             fault = f"entry {wrong[0]} is not a table"
         else:
             fault = f"entries {', '.join(wrong)} are not tables"
-        raise _refusal(path, f"expected a list of tables, [{{...}}, ...]: {fault}")
+        raise refused(path, f"expected a list of tables, [{{...}}, ...]: {fault}")
     return tables
 
 
@@ -156,10 +156,6 @@ def _unique(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
         if sum(key == other for other, _ in pairs) > 1:
             raise ValueError(f"the key '{key}' appears twice in one table")
     return made
-
-
-def _refusal(path: Path, reason: str) -> RobotFileError:
-    return RobotFileError((Diagnostic(str(path), 0, 0, reason),))
 
 
 def joint_letters(chain: Chain) -> str:

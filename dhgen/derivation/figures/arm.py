@@ -18,7 +18,7 @@ from dhgen.derivation.figures.view import best_view
 from dhgen.derivation.notation.names import joint_symbol
 from dhgen.derivation.text.blocks import joined, say
 from dhgen.derivation.text.formula import Symbol, equal
-from dhgen.derivation.values import degrees, figures
+from dhgen.derivation.values import joint_value
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -69,7 +69,7 @@ def _caption(story: Story, q: FloatArray) -> Prose:
 def _position(story: Story, q: FloatArray) -> Prose:
     """The joint values in words."""
     shown = [
-        say("{}", equal(joint_symbol(place), _value(story, place, value)))
+        say("{}", equal(joint_symbol(place), joint_value(story, place, value)))
         for place, value in enumerate(q, start=1)
         if settled(value)
     ]
@@ -78,12 +78,6 @@ def _position(story: Story, q: FloatArray) -> Prose:
     if any(settled(value) and story.algebra.chain.turning[k] for k, value in enumerate(q)):
         return say("at {}", joined(shown))
     return say("in its reference position, but with {}", joined(shown))
-
-
-def _value(story: Story, joint: int, value: float) -> Symbol:
-    if joint in story.algebra.slides:
-        return figures(value, story.algebra.chain.size)
-    return degrees(value)
 
 
 def _on_paper(arm: Skeleton, view: View) -> Skeleton:

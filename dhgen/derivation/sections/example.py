@@ -33,6 +33,7 @@ from dhgen.derivation.text.words import many, numeral
 from dhgen.derivation.values import (
     degrees,
     figures,
+    joint_value,
     letters_at,
     letters_of_joints,
     signs_of_row,
@@ -123,15 +124,9 @@ def _target(story: Story, letters: Mapping[str, float]) -> list[Block]:
 
 def _joint_values(story: Story, q: FloatArray) -> list[tuple[Formula, Formula]]:
     return [
-        (joint_symbol(place), shown(story, place, value)) for place, value in enumerate(q, start=1)
+        (joint_symbol(place), joint_value(story, place, value))
+        for place, value in enumerate(q, start=1)
     ]
-
-
-def shown(story: Story, joint: int, value: float) -> Symbol:
-    """A joint value, as an angle or a length."""
-    if joint in story.algebra.slides:
-        return figures(value, story.algebra.chain.size)
-    return degrees(value)
 
 
 def _matrix(T: FloatArray, story: Story) -> Matrix:
@@ -249,7 +244,9 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
         return []
     before = int((~np.isnan(example.rows).any(axis=1)).sum())
     text = "For instance the example's joint values, but {}, meet {} (step {}). The tool is then at"
-    moved = equal(joint_symbol(found.joint), shown(story, found.joint, found.q[found.joint - 1]))
+    moved = equal(
+        joint_symbol(found.joint), joint_value(story, found.joint, found.q[found.joint - 1])
+    )
     return [
         paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
         display(equal(POSE, _matrix(found.T, story))),

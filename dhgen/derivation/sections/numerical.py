@@ -15,11 +15,11 @@ from dhgen.derivation.conditions import are_never_zero, unsigned, without_length
 from dhgen.derivation.example import Example, are_inside, drawn, turned_rows
 from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.notation.names import joint_symbol
-from dhgen.derivation.sections.example import all_rows, pose_blocks, shown
+from dhgen.derivation.sections.example import all_rows, pose_blocks
 from dhgen.derivation.text.blocks import Display, Heading, display, paragraph, say
 from dhgen.derivation.text.formula import ZERO, Listing, Matrix, Symbol, equal, subtract, times
 from dhgen.derivation.text.template import blocks_of
-from dhgen.derivation.values import figures
+from dhgen.derivation.values import figures, joint_value
 from dhgen.derivation.velocity.columns import view_from
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.product import product
@@ -157,7 +157,9 @@ def _is_nearest(kernel: NumericalKernel, q: FloatArray, seed: FloatArray) -> boo
 def _joints(story: Story, q: FloatArray) -> Display:
     """The values of all joints in a line."""
     values = enumerate(q.tolist(), start=1)
-    return Display((Listing(tuple(equal(joint_symbol(j), shown(story, j, x)) for j, x in values)),))
+    return Display(
+        (Listing(tuple(equal(joint_symbol(j), joint_value(story, j, x)) for j, x in values)),)
+    )
 
 
 def _column(values: Iterable[float]) -> Matrix:
