@@ -33,7 +33,7 @@ DHGEN_ALWAYS
 DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
     const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    static const struct dhgen_joint joints[3] = {
+    DHGEN_TABLE struct dhgen_joint joints[3] = {
         { -1.0471975511965976, 1.5707963267948966, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
         { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
         { -1.0471975511965976, 1.0471975511965976, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
@@ -113,19 +113,21 @@ DHGEN_INLINE dhgen_wide_mask solve_driven(
     }
 }
 
-static const int delta_leg_driven[1] = { 0 };
-static const int delta_leg_slides[1] = { 0 };
-static const int delta_leg_counted[3] = { 0, 1, 2 };
+DHGEN_TABLE int delta_leg_driven[1] = { 0 };
+DHGEN_TABLE int delta_leg_slides[1] = { 0 };
+DHGEN_TABLE int delta_leg_counted[3] = { 0, 1, 2 };
+#ifndef __CUDACC_RTC__
 static const char *const delta_leg_names[4] = {
     "shoulder+-elbow+", "shoulder+-elbow-", "shoulder--elbow+", "shoulder--elbow-",
 };
+#endif
 
-static int delta_leg_rows(const double *T, const double *q_seed, double *q, unsigned char *status)
+DHGEN_FN int delta_leg_rows(const double *T, const double *q_seed, double *q, unsigned char *status)
 {
     return delta_leg_ik(T, q_seed, (double (*)[DELTA_LEG_DOF])q, status);
 }
 
-static const struct dhgen_leg legs[3] = {
+DHGEN_TABLE struct dhgen_leg legs[3] = {
     /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
      * moves; from the robot's base; in the platform; functions */
     {
@@ -167,8 +169,8 @@ static const struct dhgen_leg legs[3] = {
         delta_leg_rows, delta_leg_ik_nearest, delta_leg_ik_batch, delta_leg_fk, delta_leg_jacobian
     },
 };
-static const int freedoms[3] = { 0, 1, 2 };
-static const struct dhgen_parallel robot = {
+DHGEN_TABLE int freedoms[3] = { 0, 1, 2 };
+DHGEN_TABLE struct dhgen_parallel robot = {
     3, 3, 4, 3,
     1, /* alike */
     freedoms, 1.768, DHGEN_COORDINATES, 0, /* planar */
@@ -176,9 +178,9 @@ static const struct dhgen_parallel robot = {
 };
 
 /* The legs chain by chain, side by side. */
-static const int first_leg[2] = { 0, 3 };
-static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
-static const double bases[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE int first_leg[2] = { 0, 3 };
+DHGEN_TABLE size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
+DHGEN_TABLE double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -222,7 +224,7 @@ static const double bases[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const double carried[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE double carried[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -266,16 +268,21 @@ static const double carried[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const struct dhgen_leg_lanes lanes = {
+DHGEN_TABLE struct dhgen_leg_lanes lanes = {
     1, first_leg, legs_by_chain, bases, carried
 };
 
+#ifndef __CUDACC_RTC__
 const char *const *const delta_branches[3] = {
     delta_leg_names,
     delta_leg_names,
     delta_leg_names,
 };
+#endif
 
+#ifdef __CUDA_ARCH__
+__device__ static
+#endif
 const int delta_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
 
 #define DHGEN_NAME(function) delta_##function

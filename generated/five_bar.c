@@ -74,18 +74,20 @@ DHGEN_INLINE dhgen_wide_mask solve_driven(
     }
 }
 
-static const int five_bar_leg_driven[1] = { 0 };
-static const int five_bar_leg_slides[1] = { 0 };
-static const int five_bar_leg_counted[2] = { 0, 1 };
+DHGEN_TABLE int five_bar_leg_driven[1] = { 0 };
+DHGEN_TABLE int five_bar_leg_slides[1] = { 0 };
+DHGEN_TABLE int five_bar_leg_counted[2] = { 0, 1 };
+#ifndef __CUDACC_RTC__
 static const char *const five_bar_leg_names[2] = { "right", "left" };
+#endif
 
-static int five_bar_leg_rows(const double *T, const double *q_seed, double *q, unsigned char
+DHGEN_FN int five_bar_leg_rows(const double *T, const double *q_seed, double *q, unsigned char
     *status)
 {
     return five_bar_leg_ik(T, q_seed, (double (*)[FIVE_BAR_LEG_DOF])q, status);
 }
 
-static const struct dhgen_leg legs[2] = {
+DHGEN_TABLE struct dhgen_leg legs[2] = {
     /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
      * moves; from the robot's base; in the platform; functions */
     {
@@ -111,8 +113,8 @@ static const struct dhgen_leg legs[2] = {
             five_bar_leg_jacobian
     },
 };
-static const int freedoms[2] = { 0, 1 };
-static const struct dhgen_parallel robot = {
+DHGEN_TABLE int freedoms[2] = { 0, 1 };
+DHGEN_TABLE struct dhgen_parallel robot = {
     2, 2, 2, 2,
     1, /* alike */
     freedoms, 0.5, DHGEN_COORDINATES, 1, /* planar */
@@ -120,9 +122,9 @@ static const struct dhgen_parallel robot = {
 };
 
 /* The legs chain by chain, side by side. */
-static const int first_leg[2] = { 0, 2 };
-static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 1, 1, 1, 1, 1, 1, 1 };
-static const double bases[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE int first_leg[2] = { 0, 2 };
+DHGEN_TABLE size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 1, 1, 1, 1, 1, 1, 1 };
+DHGEN_TABLE double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     },
@@ -160,7 +162,7 @@ static const double bases[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const double carried[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE double carried[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0,
     },
@@ -198,15 +200,20 @@ static const double carried[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const struct dhgen_leg_lanes lanes = {
+DHGEN_TABLE struct dhgen_leg_lanes lanes = {
     1, first_leg, legs_by_chain, bases, carried
 };
 
+#ifndef __CUDACC_RTC__
 const char *const *const five_bar_branches[2] = {
     five_bar_leg_names,
     five_bar_leg_names,
 };
+#endif
 
+#ifdef __CUDA_ARCH__
+__device__ static
+#endif
 const int five_bar_drives[2][2] = { { 0, 0 }, { 1, 0 } };
 
 #define DHGEN_NAME(function) five_bar_##function

@@ -14,7 +14,17 @@
 #ifndef PARALLEL_3RPR_H
 #define PARALLEL_3RPR_H
 
+#ifndef __CUDACC_RTC__ /* it has their functions without them */
 #include <stddef.h>
+#endif
+
+#ifndef DHGEN_PUBLIC /* the mark of functions: in CUDA they are for both sides */
+#ifdef __CUDACC__
+#define DHGEN_PUBLIC __host__ __device__
+#else
+#define DHGEN_PUBLIC
+#endif
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -41,11 +51,15 @@ enum {
     PARALLEL_3RPR_INVALID_POSE = 4
 };
 
+#ifndef __CUDACC_RTC__
 /* The name of every row of every leg. A working mode is a row of each leg. */
 extern const char *const *const parallel_3rpr_branches[3];
+#endif
 
 /* The leg and the joint of every drive, from 0. */
+#ifndef __CUDA_ARCH__
 extern const int parallel_3rpr_drives[3][2];
+#endif
 
 /* Joint values of all legs are a double q[3][2]. Where they are read, as `const double *`, they are
  * passed as q[0]: C99 takes no pointer to arrays for one to arrays of constants. */
@@ -55,47 +69,53 @@ extern const int parallel_3rpr_drives[3][2];
  * Returns how many working modes there are, the product of the legs' rows that are OK or
  * FREE_JOINT, or -PARALLEL_3RPR_INVALID_POSE, also for a seed that is not finite where it may be
  * needed. */
-int parallel_3rpr_ik(const double T[16], const double *q_seed,
+DHGEN_PUBLIC int parallel_3rpr_ik(const double T[16], const double *q_seed,
     double q[3][2][2], unsigned char status[3][2]);
 
 /* Of every leg the solution nearest to q_seed, with angles moved by whole turns into their limits.
  * Returns PARALLEL_3RPR_OK or PARALLEL_3RPR_FREE_JOINT, or, with NaN in q, minus what is wrong with
  * a leg: PARALLEL_3RPR_UNREACHABLE, _OUT_OF_LIMITS or _INVALID_POSE, the last one also for a seed
  * that is not finite. */
-int parallel_3rpr_ik_nearest(const double T[16], const double *q_seed, double q[3][2]);
+DHGEN_PUBLIC int parallel_3rpr_ik_nearest(
+    const double T[16], const double *q_seed, double q[3][2]);
 
 /* parallel_3rpr_ik without a seed for n poses: T holds n x 16 numbers,
  * q n x 3 x 2 x 2, status n x 3 x 2. */
-void parallel_3rpr_ik_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void parallel_3rpr_ik_batch(size_t n, const double *T, double *q, unsigned char
+    *status);
 
 /* The driven joints alone of what parallel_3rpr_ik gives: as controllers need them, in less time.
  * Row b of a leg has its driven joints in their order, and the status that it has with passive
  * ones. */
-int parallel_3rpr_ik_drives(const double T[16], double q[3][2][1], unsigned char status[3][2]);
+DHGEN_PUBLIC int parallel_3rpr_ik_drives(const double T[16],
+    double q[3][2][1], unsigned char status[3][2]);
 
 /* parallel_3rpr_ik_drives for n poses: q n x 3 x 2 x 1, status n x 3 x 2. */
-void parallel_3rpr_ik_drives_batch(size_t n, const double *T, double *q, unsigned char *status);
+DHGEN_PUBLIC void parallel_3rpr_ik_drives_batch(
+    size_t n, const double *T, double *q, unsigned char *status);
 
 /* The values of the driven joints. */
-void parallel_3rpr_take_drives(const double *q, double drives[3]);
+DHGEN_PUBLIC void parallel_3rpr_take_drives(const double *q, double drives[3]);
 
 /* The pose of the platform that drives' values make, and the joint values of all legs, refined from
  * T_seed: a pose nearby that the legs reach. Returns PARALLEL_3RPR_OK; PARALLEL_3RPR_FREE_JOINT
  * where the platform is singular there, so that other poses meet this one, or it or passive joints
  * of a leg can move; or, with NaN in T and q, -PARALLEL_3RPR_UNREACHABLE where the legs did not
  * meet the platform or do not reach the seed, or -PARALLEL_3RPR_INVALID_POSE. */
-int parallel_3rpr_fk(const double drives[3], const double T_seed[16], double T[16], double q[3][2]);
+DHGEN_PUBLIC int parallel_3rpr_fk(const double drives[3], const double T_seed[16],
+    double T[16], double q[3][2]);
 
 /* All poses of the platform that drives' values allow, at most 6. Returns how many there are, or,
  * with T of no use, -PARALLEL_3RPR_FREE_JOINT where they are a continuum, as the platform can move
  * while its drives are held, or -PARALLEL_3RPR_INVALID_POSE for drives that are not finite. */
-int parallel_3rpr_assemblies(const double drives[3], double T[6][16]);
+DHGEN_PUBLIC int parallel_3rpr_assemblies(const double drives[3], double T[6][16]);
 
 /* A and B, with A xdot = B qdot at a pose and its joint values: xdot are the platform's velocities
  * (vx, vy, wz), qdot those of the drives. Returns PARALLEL_3RPR_OK, or, with NaN in A and B,
  * -PARALLEL_3RPR_FREE_JOINT where passive joints of a leg depend on each other, so that A and B are
  * not determined, or -PARALLEL_3RPR_INVALID_POSE, also for joint values that are not finite. */
-int parallel_3rpr_velocities(const double T[16], const double *q, double A[9], double B[9]);
+DHGEN_PUBLIC int parallel_3rpr_velocities(
+    const double T[16], const double *q, double A[9], double B[9]);
 
 /* How near a pose and its joint values are to singularities of the first kind (least[0], of B: the
  * platform loses a motion) and of the second (least[1], of A: the platform has a motion that the
@@ -103,7 +123,7 @@ int parallel_3rpr_velocities(const double T[16], const double *q, double A[9], d
  * PARALLEL_3RPR_OK; PARALLEL_3RPR_FREE_JOINT where passive joints of a leg depend on each other:
  * the platform loses a motion, least[0] is 0 and least[1] NaN; or, with NaN in least,
  * -PARALLEL_3RPR_INVALID_POSE, likewise. */
-int parallel_3rpr_singularities(const double T[16], const double *q, double least[2]);
+DHGEN_PUBLIC int parallel_3rpr_singularities(const double T[16], const double *q, double least[2]);
 
 #ifdef __cplusplus
 }

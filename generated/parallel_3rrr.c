@@ -75,18 +75,20 @@ DHGEN_INLINE dhgen_wide_mask solve_driven(
     }
 }
 
-static const int parallel_3rrr_leg_driven[1] = { 0 };
-static const int parallel_3rrr_leg_slides[1] = { 0 };
-static const int parallel_3rrr_leg_counted[2] = { 0, 1 };
+DHGEN_TABLE int parallel_3rrr_leg_driven[1] = { 0 };
+DHGEN_TABLE int parallel_3rrr_leg_slides[1] = { 0 };
+DHGEN_TABLE int parallel_3rrr_leg_counted[2] = { 0, 1 };
+#ifndef __CUDACC_RTC__
 static const char *const parallel_3rrr_leg_names[2] = { "right", "left" };
+#endif
 
-static int parallel_3rrr_leg_rows(const double *T, const double *q_seed, double *q, unsigned char
+DHGEN_FN int parallel_3rrr_leg_rows(const double *T, const double *q_seed, double *q, unsigned char
     *status)
 {
     return parallel_3rrr_leg_ik(T, q_seed, (double (*)[PARALLEL_3RRR_LEG_DOF])q, status);
 }
 
-static const struct dhgen_leg legs[3] = {
+DHGEN_TABLE struct dhgen_leg legs[3] = {
     /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
      * moves; from the robot's base; in the platform; functions */
     {
@@ -134,8 +136,8 @@ static const struct dhgen_leg legs[3] = {
             parallel_3rrr_leg_fk, parallel_3rrr_leg_jacobian
     },
 };
-static const int freedoms[3] = { 0, 1, 5 };
-static const struct dhgen_parallel robot = {
+DHGEN_TABLE int freedoms[3] = { 0, 1, 5 };
+DHGEN_TABLE struct dhgen_parallel robot = {
     3, 2, 2, 3,
     1, /* alike */
     freedoms, 0.866, DHGEN_YAW, 1, /* planar */
@@ -143,9 +145,9 @@ static const struct dhgen_parallel robot = {
 };
 
 /* The legs chain by chain, side by side. */
-static const int first_leg[2] = { 0, 3 };
-static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
-static const double bases[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE int first_leg[2] = { 0, 3 };
+DHGEN_TABLE size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 2, 2, 2, 2, 2, 2, 2 };
+DHGEN_TABLE double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -189,7 +191,7 @@ static const double bases[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const double carried[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE double carried[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -233,16 +235,21 @@ static const double carried[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const struct dhgen_leg_lanes lanes = {
+DHGEN_TABLE struct dhgen_leg_lanes lanes = {
     1, first_leg, legs_by_chain, bases, carried
 };
 
+#ifndef __CUDACC_RTC__
 const char *const *const parallel_3rrr_branches[3] = {
     parallel_3rrr_leg_names,
     parallel_3rrr_leg_names,
     parallel_3rrr_leg_names,
 };
+#endif
 
+#ifdef __CUDA_ARCH__
+__device__ static
+#endif
 const int parallel_3rrr_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
 
 #define DHGEN_NAME(function) parallel_3rrr_##function

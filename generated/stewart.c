@@ -31,7 +31,7 @@ DHGEN_ALWAYS
 DHGEN_INLINE dhgen_wide_mask stewart_leg_drives(
     const dhgen_wide *T, dhgen_wide *q, dhgen_wide_mask *kind)
 {
-    static const struct dhgen_joint joints[3] = {
+    DHGEN_TABLE struct dhgen_joint joints[3] = {
         { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
         { -HUGE_VAL, HUGE_VAL, 1e-09, 1.0, 1.0, 0.09817477042468103, 1 },
         { 0.35, 0.75, 7.5e-10, 1.7777777777777777, 0.75, 0.0125, 0 },
@@ -81,19 +81,22 @@ DHGEN_INLINE dhgen_wide_mask solve_driven(
     }
 }
 
-static const int stewart_leg_driven[1] = { 2 };
-static const int stewart_leg_slides[1] = { 1 };
-static const int stewart_leg_counted[3] = { 0, 1, 2 };
+DHGEN_TABLE int stewart_leg_driven[1] = { 2 };
+DHGEN_TABLE int stewart_leg_slides[1] = { 1 };
+DHGEN_TABLE int stewart_leg_counted[3] = { 0, 1, 2 };
+#ifndef __CUDACC_RTC__
 static const char *const stewart_leg_names[4] = {
     "back-forward", "back-backward", "front-forward", "front-backward",
 };
+#endif
 
-static int stewart_leg_rows(const double *T, const double *q_seed, double *q, unsigned char *status)
+DHGEN_FN int stewart_leg_rows(const double *T, const double *q_seed, double *q, unsigned char
+    *status)
 {
     return stewart_leg_ik(T, q_seed, (double (*)[STEWART_LEG_DOF])q, status);
 }
 
-static const struct dhgen_leg legs[6] = {
+DHGEN_TABLE struct dhgen_leg legs[6] = {
     /* joints, rows, drives; which joints are driven, whether they slide, types, what the platform
      * moves; from the robot's base; in the platform; functions */
     {
@@ -175,8 +178,8 @@ static const struct dhgen_leg legs[6] = {
             stewart_leg_jacobian
     },
 };
-static const int freedoms[6] = { 0, 1, 2, 3, 4, 5 };
-static const struct dhgen_parallel robot = {
+DHGEN_TABLE int freedoms[6] = { 0, 1, 2, 3, 4, 5 };
+DHGEN_TABLE struct dhgen_parallel robot = {
     6, 3, 4, 6,
     1, /* alike */
     freedoms, 0.9397, DHGEN_POSE, 0, /* planar */
@@ -184,9 +187,9 @@ static const struct dhgen_parallel robot = {
 };
 
 /* The legs chain by chain, side by side. */
-static const int first_leg[2] = { 0, 6 };
-static const size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5 };
-static const double bases[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE int first_leg[2] = { 0, 6 };
+DHGEN_TABLE size_t legs_by_chain[DHGEN_LEG_COLUMNS] = { 0, 1, 2, 3, 4, 5, 5, 5, 5, 5, 5, 5, 5 };
+DHGEN_TABLE double bases[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -234,7 +237,7 @@ static const double bases[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const double carried[12][DHGEN_LEG_COLUMNS] = {
+DHGEN_TABLE double carried[12][DHGEN_LEG_COLUMNS] = {
     {
         1.0, -0.5, -0.5, 1.0, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5, -0.5,
     },
@@ -282,10 +285,11 @@ static const double carried[12][DHGEN_LEG_COLUMNS] = {
         0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     },
 };
-static const struct dhgen_leg_lanes lanes = {
+DHGEN_TABLE struct dhgen_leg_lanes lanes = {
     1, first_leg, legs_by_chain, bases, carried
 };
 
+#ifndef __CUDACC_RTC__
 const char *const *const stewart_branches[6] = {
     stewart_leg_names,
     stewart_leg_names,
@@ -294,7 +298,11 @@ const char *const *const stewart_branches[6] = {
     stewart_leg_names,
     stewart_leg_names,
 };
+#endif
 
+#ifdef __CUDA_ARCH__
+__device__ static
+#endif
 const int stewart_drives[6][2] = { { 0, 2 }, { 1, 2 }, { 2, 2 }, { 3, 2 }, { 4, 2 }, { 5, 2 } };
 
 #define DHGEN_NAME(function) stewart_##function

@@ -118,7 +118,7 @@ def _limits(leg: LegModule, lines: Sequence[str]) -> list[str]:
     if not any("joints" in line for line in lines):
         return []
     rows = [f"{INDENT}{row}" for row in c_table(leg.solver).joints]
-    return [f"static const struct dhgen_joint joints[{len(rows)}] = {{", *rows, "};"]
+    return [f"DHGEN_TABLE struct dhgen_joint joints[{len(rows)}] = {{", *rows, "};"]
 
 
 def _columns(frames: Iterable[Sequence[float]]) -> list[str]:

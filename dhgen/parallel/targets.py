@@ -161,9 +161,9 @@ def _chain(name: str, leg: LegModule) -> ChainTexts:
         name=name,
         upper=name.upper(),
         tables=[
-            f"static const int {name}_driven[{len(leg.driven)}] = {{ {_whole(leg.driven)} }};",
-            f"static const int {name}_slides[{len(slides)}] = {{ {_whole(slides)} }};",
-            f"static const int {name}_counted[{len(leg.counted)}] = {{ {_whole(leg.counted)} }};",
+            f"DHGEN_TABLE int {name}_driven[{len(leg.driven)}] = {{ {_whole(leg.driven)} }};",
+            f"DHGEN_TABLE int {name}_slides[{len(slides)}] = {{ {_whole(slides)} }};",
+            f"DHGEN_TABLE int {name}_counted[{len(leg.counted)}] = {{ {_whole(leg.counted)} }};",
         ],
         names=c_array(head, [f'"{branch}"' for branch in leg.solver.branches]),
     )

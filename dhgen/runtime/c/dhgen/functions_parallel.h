@@ -4,66 +4,68 @@
 #ifndef DHGEN_FUNCTIONS_PARALLEL_H
 #define DHGEN_FUNCTIONS_PARALLEL_H
 
-int DHGEN_NAME(ik)(const double T[16], const double *q_seed,
+DHGEN_PUBLIC int DHGEN_NAME(ik)(const double T[16], const double *q_seed,
     double q[DHGEN_LEGS][DHGEN_LEG_ROWS][DHGEN_LEG_JOINTS],
     unsigned char status[DHGEN_LEGS][DHGEN_LEG_ROWS])
 {
     return dhgen_parallel_ik(&robot, T, q_seed, &q[0][0][0], &status[0][0]);
 }
 
-int DHGEN_NAME(ik_nearest)(
+DHGEN_PUBLIC int DHGEN_NAME(ik_nearest)(
     const double T[16], const double *q_seed, double q[DHGEN_LEGS][DHGEN_LEG_JOINTS])
 {
     return dhgen_parallel_nearest(&robot, T, q_seed, &q[0][0]);
 }
 
-void DHGEN_NAME(ik_batch)(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void DHGEN_NAME(ik_batch)(size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_batch(&robot, n, T, q, status);
 }
 
-static int one_pose(const double *T, double *q, unsigned char *status)
+DHGEN_FN int one_pose(const double *T, double *q, unsigned char *status)
 {
     return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
 }
 
-int DHGEN_NAME(ik_drives)(const double T[16],
+DHGEN_PUBLIC int DHGEN_NAME(ik_drives)(const double T[16],
     double q[DHGEN_LEGS][DHGEN_LEG_ROWS][DHGEN_LEG_DRIVES],
     unsigned char status[DHGEN_LEGS][DHGEN_LEG_ROWS])
 {
     return one_pose(T, &q[0][0][0], &status[0][0]);
 }
 
-void DHGEN_NAME(ik_drives_batch)(size_t n, const double *T, double *q, unsigned char *status)
+DHGEN_PUBLIC void DHGEN_NAME(ik_drives_batch)(
+    size_t n, const double *T, double *q, unsigned char *status)
 {
     dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
 }
 
-void DHGEN_NAME(take_drives)(const double *q, double drives[DHGEN_DRIVES])
+DHGEN_PUBLIC void DHGEN_NAME(take_drives)(const double *q, double drives[DHGEN_DRIVES])
 {
     dhgen_take_drives(&robot, q, drives);
 }
 
-int DHGEN_NAME(fk)(const double drives[DHGEN_DRIVES], const double T_seed[16], double T[16],
-    double q[DHGEN_LEGS][DHGEN_LEG_JOINTS])
+DHGEN_PUBLIC int DHGEN_NAME(fk)(const double drives[DHGEN_DRIVES], const double T_seed[16],
+    double T[16], double q[DHGEN_LEGS][DHGEN_LEG_JOINTS])
 {
     return dhgen_parallel_fk(&robot, drives, T_seed, T, &q[0][0]);
 }
 
 #ifdef DHGEN_ASSEMBLIES
-int DHGEN_NAME(assemblies)(const double drives[DHGEN_DRIVES], double T[DHGEN_ASSEMBLIES][16])
+DHGEN_PUBLIC int DHGEN_NAME(assemblies)(
+    const double drives[DHGEN_DRIVES], double T[DHGEN_ASSEMBLIES][16])
 {
     return dhgen_assemblies(&robot, DHGEN_ELIMINATION, drives, &T[0][0]);
 }
 #endif
 
-int DHGEN_NAME(velocities)(const double T[16], const double *q,
+DHGEN_PUBLIC int DHGEN_NAME(velocities)(const double T[16], const double *q,
     double A[DHGEN_DRIVES * DHGEN_DRIVES], double B[DHGEN_DRIVES * DHGEN_DRIVES])
 {
     return dhgen_parallel_velocities(&robot, T, q, A, B);
 }
 
-int DHGEN_NAME(singularities)(const double T[16], const double *q, double least[2])
+DHGEN_PUBLIC int DHGEN_NAME(singularities)(const double T[16], const double *q, double least[2])
 {
     return dhgen_parallel_singularities(&robot, T, q, least);
 }
