@@ -63,14 +63,14 @@ def most_deviation(arm: FloatArray, other: FloatArray, size: float) -> Deviation
 
 
 def _most_side_by_side(parts: list[float]) -> float:
-    """What of a sum two parts side by side are at most; zero of one that is rounding."""
+    """The largest share of a sum that two neighbouring parts have; zero if that is rounding."""
     whole = sum(parts)
     pairs = (one + other for one, other in pairwise(parts))
     return 0.0 if whole < ROUNDING else max(pairs) / whole
 
 
 def _rounded_up(number: float) -> float:
-    """A number up to which further digits, which differ from machine to machine, don't count."""
+    """A number, rounded up to a few digits: further ones differ from machine to machine."""
     return round(math.ceil(number * 10.0**DIGITS) / 10.0**DIGITS, DIGITS)
 
 

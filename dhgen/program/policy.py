@@ -90,7 +90,7 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         solver: From pose to rows of joint values.
         tolerances: Of the arithmetic that it is for.
     """
-    completes, stands = solver.completion is not None, has_poses_to_clamp(chain)
+    completes, clamps = solver.completion is not None, has_poses_to_clamp(chain)
     follows_seed = _follows_seed(chain, solver)
     checks, joints = _checks_again(solver), _choosable(solver)
     return Policy(
@@ -104,11 +104,11 @@ def policy_of(chain: Chain, solver: Program, tolerances: Tolerances) -> Policy:
         root_turns=solver.turning if completes and finds_roots(solver) else (),
         merges=follows_seed and _roots_in_a_row(solver) > 1,
         refines=solver.refinement is not None,
-        clamps=stands,
+        clamps=clamps,
         clamped=tolerances.clamped,
         clamped_again=_clamped_again(solver, tolerances),
-        clamps_far=stands and has_regular_poses(solver),
-        range_exceeds_a_turn=stands and _widest_turn(chain) > NEARLY_A_TURN,
+        clamps_far=clamps and has_regular_poses(solver),
+        range_exceeds_a_turn=clamps and _widest_turn(chain) > NEARLY_A_TURN,
         follows_seed=follows_seed,
         choosable=_places(joints),
         together=() if completes else _places(_lost_together(solver)),

@@ -23,11 +23,8 @@ if TYPE_CHECKING:
     from dhgen.kinematics.chain import ChainJoint
 
 CELLS = 320  # of the longer side
-FINE, COARSE, SLICES = (
-    121,
-    49,
-    25,
-)  # values of a joint: of two, of the first two of three, the third
+# Values of a joint: of two joints, of the first two of three, of the third.
+FINE, COARSE, SLICES = 121, 49, 25
 ASIDE = 0.3819  # of a cell: borders that lie evenly do not pass through the middle of cells
 SURE = 7  # decimals of a cell that rounding leaves right
 
@@ -37,7 +34,7 @@ class Raster:
     """What is reached.
 
     Attributes:
-        held: Whether the middle of a cell is, by rows from the lowest, (rows, columns).
+        held: Whether the middle of each cell is reached, by rows from the lowest, (rows, columns).
         origin: The middle of the first cell, (2,).
         cell: The side of a cell [length].
     """

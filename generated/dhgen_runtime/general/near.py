@@ -42,7 +42,7 @@ APART = 2  # numbers that formulas get last: by how much two arms' tools are tur
 KEPT: int  # the sizes of the formulas' arrays
 TURNS: int
 FILLED: int
-DOUBT: int  # the place of what is not zero for poses at which a row may end so near
+DOUBT: int  # the place of a number that is not zero where a row may end so near to the pose
 formulas: Callable[[Floats, Floats, Floats, int], None]
 # Of a robot:
 arm: Floats  # its numbers
@@ -189,7 +189,7 @@ def to_nearest_rows(q_free: Floats, q: Floats, status: Bytes) -> None:
 
 
 def _with_nan(run: Any) -> Callable[..., None]:  # noqa: ANN401  a function with its globals
-    """Formulas that compute as compiled ones do in plain Python: nothing stops them."""
+    """Formulas whose values are NaN in plain Python where compiled ones are, and no exception."""
     as_compiled = SimpleNamespace(**{**vars(math), "sqrt": np.sqrt})
     formulas = again(run, {**run.__globals__, "math": as_compiled})
 
