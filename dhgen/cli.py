@@ -11,8 +11,9 @@ import tempfile
 from typing import TYPE_CHECKING
 
 from dhgen.arguments import calibrate_parser, explain_parser, import_parser, parser, survey_parser
-from dhgen.commands import calibrate, check, explain, import_description, survey, write
+from dhgen.commands import check, explain, survey, write
 from dhgen.errors import CommandError, DhgenError
+from dhgen.robot_file_commands import calibrate, import_description
 from dhgen.workers import collect_seldom, interrupts_repeated, reckon_alone
 
 if TYPE_CHECKING:

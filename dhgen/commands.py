@@ -1,4 +1,4 @@
-"""What the command does: write, check, explain, import, calibrate, survey.
+"""The commands that read robot files: write, check, explain, survey.
 
 What needs sympy is imported late, so that errors and --help come at once.
 """
@@ -8,18 +8,24 @@ from __future__ import annotations
 import os
 import sys
 from dataclasses import replace
-from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, TypeVar
 
 from dhgen.arguments import ENDINGS, FORMATS, LANGUAGES, OUT
 from dhgen.errors import CommandError, DhgenError, ImmobileError, VerificationError, about
-from dhgen.generated_header import SUFFIXES, robot_of, source_of
 from dhgen.method import Method
+from dhgen.places_to_write import (
+    print_replaced,
+    refuse_mute,
+    refuse_occupied,
+    refuse_taken,
+    refuse_what_was_read,
+)
 
 if TYPE_CHECKING:
     import argparse
-    from collections.abc import Callable, Iterable, Mapping, Sequence
+    from collections.abc import Callable, Iterable, Mapping
+    from pathlib import Path
 
     from dhgen.compiler import Compilation
     from dhgen.errors import Diagnostic
@@ -96,7 +102,7 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     from dhgen.derivation import derivation_summary, tool_at_zero  # noqa: PLC0415
     from dhgen.robot_files import ParallelFile  # noqa: PLC0415
 
-    _refuse_taken(file, options.out)
+    refuse_taken(file, options.out)
     if isinstance(file, ParallelFile):
         _write_parallel(file, options)
         return
@@ -126,7 +132,7 @@ def _written(files: Mapping[str, str], verified: Callable[[], Verified], out: Pa
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
-    _refuse_occupied([out / name for name in files])
+    refuse_occupied([out / name for name in files])
     if not sys.stderr.isatty():  # where each stage is shown
         print("verifying what is to be written: this may take a minute ...", flush=True)
     report = verified()
@@ -255,10 +261,10 @@ def explain(options: argparse.Namespace) -> int:
 
     file = read_file(options.file)
     if options.out is None:
-        _refuse_mute()
+        refuse_mute()
     else:
-        _refuse_what_was_read(options.out, [options.file])
-        _refuse_occupied([options.out])
+        refuse_what_was_read(options.out, [options.file])
+        refuse_occupied([options.out])
     wished = _format(options)
     file = file.with_numerical() if options.numerical else file
     _print_notes(file.robot.notices)
@@ -289,7 +295,7 @@ def _finish(text: str, beside: Mapping[str, str], out: Path | None) -> None:
     if out is None:
         print(text, end="")
     else:
-        _print_replaced(out, text)
+        print_replaced(out, text)
         write_files(out.parent, {out.name: text, **beside})
         documents = [out, *(out.parent / name for name in beside if not name.endswith(".svg"))]
         print(f"wrote {', '.join(map(str, documents))}")
@@ -317,7 +323,7 @@ def _parallel_derivation(
 
 def survey(options: argparse.Namespace) -> int:
     """Tests many arms; the exit code."""
-    _refuse_mute()
+    refuse_mute()
     # matrices are small and every core has its own arm: threads inside would be in the way
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from dhgen.survey.survey import survey as lines_of  # noqa: PLC0415
@@ -330,130 +336,3 @@ def survey(options: argparse.Namespace) -> int:
     if any(line.mistaken for line in lines):
         return 2
     return 0 if all(line.complete for line in lines) else 1
-
-
-def import_description(options: argparse.Namespace) -> int:
-    """Writes the robot file of a description; the exit code."""
-    from dhgen.descriptions.compare import SAMPLES  # noqa: PLC0415
-    from dhgen.descriptions.expand import Outside  # noqa: PLC0415
-    from dhgen.descriptions.files import import_file  # noqa: PLC0415
-    from dhgen.descriptions.wishes import Wishes  # noqa: PLC0415
-    from dhgen.descriptions.write import plain  # noqa: PLC0415
-
-    chosen = options.base, options.tip, options.snap
-    wishes = Wishes(*chosen, as_axes=options.axes, free=options.free)
-    outside = Outside(dict(options.package), dict(options.arg))
-    imported = import_file(options.file, wishes, outside)
-    for note in imported.notes:
-        print(f"note: {note}", file=sys.stderr)
-    read = (options.file,)
-    out = _write_robot_file(imported.robot.name, imported.text, options.out, read)
-    if out is None:
-        return 0
-    chain, off = imported.chain, imported.difference
-    joints = len(chain.actuated)
-    print(f"{imported.robot.name}: {joints} joints, from {plain(chain.base)} to {plain(chain.tip)}")
-    print(
-        f"compared with {options.file.name} at {SAMPLES} random joint values: the tools are "
-        f"{off.moved:.1e} {imported.robot.length_unit} apart at most "
-        f"({off.moved / off.size:.1e} of the arm's size), and turned by {off.turned:.1e} rad"
-    )
-    print(f"wrote {out}; solvers: dhgen {quote(str(out))}")
-    return 0
-
-
-def calibrate(options: argparse.Namespace) -> int:
-    """Writes the robot file of a calibrated arm; the exit code."""
-    from dhgen.calibration.calibrate import calibrate as calibrated_by  # noqa: PLC0415
-    from dhgen.calibration.read import read_calibration  # noqa: PLC0415
-    from dhgen.robot_files import RobotFile  # noqa: PLC0415
-
-    nominal = RobotFile.read(options.file).robot
-    calibration = read_calibration(options.calibration)
-    name = "" if options.out in {None, Path("-")} else options.out.stem
-    made = calibrated_by(nominal, calibration, name=name, as_axes=options.axes)
-    for note in made.notes:
-        print(f"note: {note}", file=sys.stderr)
-    read = (options.file, options.calibration)
-    out = _write_robot_file(made.robot.name, made.text, options.out, read)
-    if out is not None:
-        moved = f"{made.moved.moved:.2g} {nominal.length_unit} and {made.moved.turned:.2g} rad"
-        print(f"{made.robot.name}: the tool is up to {moved} away from that of {nominal.name}")
-        print(f"wrote {out}; solvers: dhgen {quote(str(out))}")
-    return 0
-
-
-def _write_robot_file(
-    name: str, text: str, wished: Path | None, read: Sequence[Path]
-) -> Path | None:
-    """Writes a robot file, and reports where it replaces another one.
-
-    Args:
-        name: The robot's, which names the file where nobody wishes another name.
-        text: What to write.
-        wished: Where to write; what is there is written over. A dash is the terminal.
-        read: The files that this one is made of, which are not written over.
-
-    Returns:
-        Where it was written; None for the terminal.
-    """
-    from dhgen.atomic_write import replace_files  # noqa: PLC0415
-
-    if wished == Path("-"):
-        _refuse_mute()
-        print(text, end="")
-        return None
-    out = wished or Path(f"{name}.yaml")
-    if out.exists() and wished is None and out.read_text("utf-8") != text:
-        message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
-        raise CommandError(f"{message}, or name another file")
-    _refuse_what_was_read(out, read)
-    _refuse_occupied([out])
-    _print_replaced(out, text)
-    replace_files(out.parent, {out.name: text.encode()})
-    return out
-
-
-def _print_replaced(out: Path, text: str) -> None:
-    """Says where a file takes the place of another one."""
-    if out.exists() and out.read_bytes() != text.encode():
-        print(f"note: {out} was there and is written over", file=sys.stderr)
-
-
-def _refuse_what_was_read(out: Path, read: Sequence[Path]) -> None:
-    """Stops before a file is written over that the new one is made of."""
-    if out.exists() and any(each.exists() and out.samefile(each) for each in read):
-        raise CommandError(f"dhgen: {out} is what was read: write to another file")
-
-
-def _refuse_mute() -> None:
-    """Stops where standard output was closed, for commands that do nothing but print."""
-    if sys.__stdout__ is None:
-        raise CommandError("dhgen: standard output is closed: there is nothing to print to")
-
-
-def _refuse_taken(file: AnyFile, out: Path) -> None:
-    """Stops before the work, where files of another robot have the names of this one's.
-
-    Robots are compared by their names: a robot file may have been moved.
-    """
-    for stem in file.stems:
-        paths = (out / f"{stem}{suffix}" for suffix in SUFFIXES)
-        owners = ((robot_of(path), path) for path in paths if path.is_file())
-        other = next((each for each in owners if each[0] not in {None, file.robot.name}), None)
-        if other is not None:
-            owner, path = other
-            raise CommandError(
-                f"{file.path}: {out / stem}.* are files of the robot '{owner}', made of "
-                f"{source_of(path)}: rename one of the robots, write to another folder (--out), or "
-                "remove them if they are left over"
-            )
-
-
-def _refuse_occupied(paths: Sequence[Path]) -> None:
-    """Stops before anything is written, where something that is there can't be written over."""
-    for path in paths:
-        if path.is_dir():
-            raise CommandError(f"dhgen: can't write {path}: it is a folder")
-        if path.exists() and not os.access(path, os.W_OK):
-            raise CommandError(f"dhgen: can't write {path}: the file is read-only")
