@@ -224,9 +224,9 @@ class Robot:
         steps: Which equations to take, by their numbers, for the first steps of the derivation.
         numerical: Whether the numerical solver may take an arm that nothing else solves.
         length_unit: How lengths are called, e.g. "m".
-        float32: Whether C in single precision is wanted besides.
+        float32: Whether C in single precision is wanted, too.
         plain: Whether solvers do without their fast path for regular poses.
-        calibration: Whether solvers are wanted besides whose table comes at run time.
+        calibration: Whether solvers are wanted, too, whose table comes at run time.
         taken: The cells that are taken as exact values next to their own.
         sums: Limits of sums of joints' variables.
         notices: What was snapped to an exact value, looks like a slip, or is of no use.
