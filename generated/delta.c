@@ -280,10 +280,9 @@ const char *const *const delta_branches[3] = {
 };
 #endif
 
-#ifdef __CUDA_ARCH__
-__device__ static
-#endif
+#ifndef __CUDA_ARCH__
 const int delta_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
+#endif
 
 #define DHGEN_NAME(function) delta_##function
 #include "dhgen/functions_parallel.h"

@@ -211,10 +211,9 @@ const char *const *const five_bar_branches[2] = {
 };
 #endif
 
-#ifdef __CUDA_ARCH__
-__device__ static
-#endif
+#ifndef __CUDA_ARCH__
 const int five_bar_drives[2][2] = { { 0, 0 }, { 1, 0 } };
+#endif
 
 #define DHGEN_NAME(function) five_bar_##function
 #include "dhgen/functions_parallel.h"

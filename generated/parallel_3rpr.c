@@ -227,10 +227,9 @@ const char *const *const parallel_3rpr_branches[3] = {
 };
 #endif
 
-#ifdef __CUDA_ARCH__
-__device__ static
-#endif
+#ifndef __CUDA_ARCH__
 const int parallel_3rpr_drives[3][2] = { { 0, 1 }, { 1, 1 }, { 2, 1 } };
+#endif
 
 #define DHGEN_NAME(function) parallel_3rpr_##function
 #include "dhgen/functions_parallel.h"

@@ -247,10 +247,9 @@ const char *const *const parallel_3rrr_branches[3] = {
 };
 #endif
 
-#ifdef __CUDA_ARCH__
-__device__ static
-#endif
+#ifndef __CUDA_ARCH__
 const int parallel_3rrr_drives[3][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 } };
+#endif
 
 #define DHGEN_NAME(function) parallel_3rrr_##function
 #include "dhgen/functions_parallel.h"

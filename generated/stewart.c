@@ -300,10 +300,9 @@ const char *const *const stewart_branches[6] = {
 };
 #endif
 
-#ifdef __CUDA_ARCH__
-__device__ static
-#endif
+#ifndef __CUDA_ARCH__
 const int stewart_drives[6][2] = { { 0, 2 }, { 1, 2 }, { 2, 2 }, { 3, 2 }, { 4, 2 }, { 5, 2 } };
+#endif
 
 #define DHGEN_NAME(function) stewart_##function
 #include "dhgen/functions_parallel.h"
