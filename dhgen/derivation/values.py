@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.known_functions import pose_by_joints
-from dhgen.derivation.notation.names import cosine, joint_symbol, letter, sine, theta
+from dhgen.derivation.notation.names import ARM_SIZE, cosine, joint_symbol, letter, sine, theta
 from dhgen.derivation.text.formula import (
     Call,
     Minus,
@@ -119,6 +119,7 @@ def letters_at(story: Story, q: Sequence[float], T: FloatArray) -> dict[str, flo
         for name, polynomial in _of_the_pose(story).items()
     }
     letters |= {story.letters[name].text: value for name, value in known.items()}
+    letters[ARM_SIZE.text] = float(f"{story.algebra.chain.size:.12g}")
     for row, column in POSE_PLACES.values():
         letters[letter("p", "p", f"{row + 1}{column + 1}").text] = float(T[row, column])
     return letters

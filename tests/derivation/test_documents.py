@@ -87,9 +87,7 @@ def test_sections_of_an_arm_without_steps(name: str) -> None:
     found = re.findall(r"^## (.*)$", document(name), re.MULTILINE)
     assert found[:2] == ["The robot", "Forward"]
     assert found[2].startswith("Inverse")
-    robot = load(ROBOTS / f"{name}.yaml")
-    velocity = ["Velocity"] * (len(robot.joints) >= robot.task.dimension)
-    assert found[3:] == ["An example", "Singular configurations", *velocity]
+    assert found[3:] == ["An example", "Singular configurations", "Velocity"]
 
 
 @pytest.mark.parametrize("name", WITH_STEPS)

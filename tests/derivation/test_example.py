@@ -91,6 +91,7 @@ def test_numbers_of_steps_are_what_their_formulas_are_worth(name: str) -> None:
         return
     given = letters_of(of, list(example.q))
     letters = {**with_entries(of, given), "size": of.algebra.chain.size}
+    letters["ℓ"] = of.algebra.chain.size
     del letters["Z"], letters["E"]
     row = example.followed
     for place, axis in reversed(list(enumerate(of.program.axes))):

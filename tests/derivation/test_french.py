@@ -106,7 +106,7 @@ def test_committed_french_figures_are_the_english_ones_but_for_their_words(name:
 
 UNDONE = (
     (r"\{,\}", "."),
-    (r" ;(?=\\quad )", ","),
+    (r" \\thinspace ;(?=\\quad )", ","),
     (r"\{\}\^(\d)([TR]_(?:\{[^{}]*\}|\w))", r"\2^\1"),
     (r"base,outil", "base,tool"),
     (r"\\mathrm\{init\}", r"\\mathrm{seed}"),

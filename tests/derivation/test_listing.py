@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 LISTING = re.compile(r"become known, with the branches:\n\n```text\n(.*?)\n```", re.DOTALL)
-LETTER = "[A-Za-zα-ωΔ]"
-TOKEN = re.compile(rf"atan2|sgn|\d+(?:\.\d+)?|{LETTER}+[₀-₉₋]*(?:_[xyz\d]+)?′*|√|²|[-+−*/(),|]")
+LETTER = "[A-Za-zα-ωΔℓ]"
+TOKEN = re.compile(rf"atan2|sgn|\d+(?:\.\d+)?|{LETTER}+[₀-₉₋]*(?:_[xyz\d]+)?[′'^]*|√|²|[-+−*/(),|]")
 DIGITS = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋", "0123456789-")
 OTHERS = [
     "arm_6r",
@@ -32,6 +32,8 @@ OTHERS = [
     "wrist_cardan",
     "adept",
     "rpr",
+    "bartell_rprpr",  # two equations that are added
+    "katana_400",
 ]
 LISTED = [name for name in sorted({*NAMES, *OTHERS}) if LISTING.search(document(name))]
 Letters = dict[str, float]
@@ -153,7 +155,7 @@ def known_letters(name: str, T: np.ndarray, q: np.ndarray) -> Known:
         {
             letter: value
             for letter, value in at.items()
-            if kept.match(letter) or letter in constants or letter in given
+            if kept.match(letter) or letter in constants or letter in given or letter == "ℓ"
         }
     )
 

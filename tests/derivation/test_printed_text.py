@@ -64,7 +64,7 @@ IN_FRENCH = {
 NOTATION = (
     (r"\{\}\^(\d)([TR]_(?:\{[^{}]*\}|\w))", r"\2^\1"),
     ("base,outil", "base,tool"),
-    (r" ;(?=\\quad )", ","),
+    (r" \\thinspace ;(?=\\quad )", ","),
 )
 HALF = 0.51e-4  # of the fifth digit
 SUBSCRIPTS = str.maketrans("₀₁₂₃₄₅₆₇₈₉₋⁰", "0123456789-0")

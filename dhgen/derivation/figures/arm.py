@@ -33,6 +33,7 @@ WIDTH, HEIGHT = 460.0, 420.0  # of the arm without its axes [pixels]
 REACH = 30.0  # of the arrow of an axis beyond the joint
 SHORT = 26.0  # of the arrows of frames
 SEEN = 3.0  # pixels of an arrow that does not point at the reader
+BESIDE = 0.5, 0.3, 0.7, 0.15, 0.85  # parts of a length beside which its name may be
 SAME = 1.5  # pixels between arrows that are drawn as one
 
 
@@ -108,12 +109,17 @@ def _draw(sheet: Sheet, view: View, arm: Skeleton) -> None:
             box(sheet, view, joint.at, axis.z, axis.x)
     tips = _axes(sheet, view, placed) + _frames(sheet, view, arm)
     for at, text, kind, first, gap in tips:
-        label(sheet, at, text, kind, first, gap)
+        label(sheet, [at], text, kind, first, gap)
     for member in arm.members:
         start, end = view.point(member.start), view.point(member.end)
-        middle = ((start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0)
+        middle = [_between(start, end, part) for part in BESIDE]
         along = math.degrees(math.atan2(end[1] - start[1], end[0] - start[0]))
         label(sheet, middle, member.name, "i tn", round(along + 90.0, 3))
+
+
+def _between(start: Point, end: Point, part: float) -> Point:
+    """The point that has so much of a line before it."""
+    return start[0] + part * (end[0] - start[0]), start[1] + part * (end[1] - start[1])
 
 
 def _ground_frame(arm: Skeleton, first: Placed) -> FloatArray:

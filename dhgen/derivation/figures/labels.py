@@ -8,21 +8,25 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.figures.sheet import BELOW, HEIGHT, settled, width_of
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from dhgen.derivation.figures.sheet import Box, Point, Sheet
 
 TURNS = (0, 180, 30, -30, 60, -60, 150, -150, 100, -100)  # about a point, in degrees
-FAR = (4.0, 9.0, 15.0, 22.0)  # and how far from it [pixels]
-ON_LETTERS, ON_BODY, ON_LINE, A_STEP = 60.0, 25.0, 9.0, 1.5  # what a place costs
+FAR = {4.0: 0.0, 9.0: 1.5, 15.0: 6.0, 22.0: 13.5, 30.0: 36.0, 39.0: 46.0}
+"""And how far from it [pixels], with what a place costs for that."""
+ON_LETTERS, ON_BODY, ON_LINE = 60.0, 25.0, 9.0  # what it costs besides
+ELSEWHERE = 26.0, 1.0  # and not beside the first of some points, and for each one more
 
 
-def label(sheet: Sheet, at: Point, text: str, kind: str, first: float, gap: float = 0.0) -> None:
+def label(
+    sheet: Sheet, at: Sequence[Point], text: str, kind: str, first: float, gap: float = 0.0
+) -> None:
     """Letters near a point.
 
     Args:
         sheet: Where they are drawn.
-        at: What they name.
+        at: What they name: the point, and others that serve where there is no room beside it.
         text: The letters.
         kind: Their class.
         first: The direction in which they would best be, in degrees clockwise from the right.
@@ -30,10 +34,12 @@ def label(sheet: Sheet, at: Point, text: str, kind: str, first: float, gap: floa
     """
     size = width_of(text), HEIGHT + BELOW
     best, least = None, math.inf
-    for box, near in _places(at, size, first, gap):
-        cost = _cost(sheet, box, near, least)
-        if cost < least:
-            best, least = box, cost
+    for place, point in enumerate(at):
+        away = ELSEWHERE[0] + place * ELSEWHERE[1] if place else 0.0
+        for box, near in _places(point, size, first, gap):
+            cost = _cost(sheet, box, near + away, least)
+            if cost < least:
+                best, least = box, cost
     assert best is not None
     left, _, _, bottom = best
     sheet.words((left, bottom - BELOW), text, kind)
@@ -45,13 +51,13 @@ def _places(
 ) -> Iterable[tuple[Box, float]]:
     """Boxes about a point with what they cost for being where they are."""
     wide, high = size[0] / 2.0, size[1] / 2.0
-    for ring, far in enumerate(FAR):
+    for far, costs in FAR.items():
         for place, turn in enumerate(TURNS):
             angle = math.radians(first + turn)
             x = at[0] + math.cos(angle) * (gap + far + wide)
             y = at[1] + math.sin(angle) * (gap + far + high)
             box = x - wide, y - high, x + wide, y + high
-            yield _settled(box), A_STEP * ring * ring + 0.4 * place
+            yield _settled(box), costs + 0.4 * place
 
 
 def _settled(box: Box) -> Box:

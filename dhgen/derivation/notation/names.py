@@ -34,6 +34,7 @@ _BARE = _TAKEN | {"D", "H", "POS"}  # and what else is written without an index
 
 BASE, TOOL = Symbol("Z", "Z"), Symbol("E", "E")
 POSE = Symbol(r"\mathit{POS}", "POS")
+ARM_SIZE = Symbol(r"\ell", "ℓ")
 DET_J = Symbol(r"\det J", "det J")
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.cuspidal import joined_rows
+from dhgen.derivation.definitions import in_order
 from dhgen.derivation.example import NEAR_HALF_TURN
 from dhgen.derivation.notation.names import POSE, joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import moved_left
@@ -184,7 +185,7 @@ def _values(story: Story, number: int, letters: dict[str, float]) -> Iterable[Re
     local = dict(letters)
     shown: set[str] = set()
     size = story.algebra.chain.size
-    for relation in _relations(step_blocks(story, number)[0]):
+    for relation in in_order(_relations(step_blocks(story, number)[0])):
         name = relation.sides[0]
         if not isinstance(name, Symbol) or relation.signs[0] != "=" or name.text in shown:
             continue

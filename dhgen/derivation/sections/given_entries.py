@@ -20,7 +20,7 @@ from dhgen.derivation.notation.polynomial import Writer, alphabet
 from dhgen.derivation.sections.forward import moved_left
 from dhgen.derivation.sections.transforms import matrix_of, side_by_side, transform_blocks
 from dhgen.derivation.text.blocks import Folded, display, paragraph
-from dhgen.derivation.text.formula import Listing, Symbol, equal
+from dhgen.derivation.text.formula import Listing, Symbol, equal, minus, times
 from dhgen.derivation.text.lines import laid_out
 from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import counted
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
 
 TITLE = "The inverses of the constant transforms, and all entries"
-INVERSE = ("R", "R"), ("P", "P"), ("R^T", "Rᵀ"), ("-R^T P", "−Rᵀ P")
+ROTATION, TURNED_BACK, COLUMN = Symbol("R", "R"), Symbol("R^T", "Rᵀ"), Symbol("P", "P")
 EQUATIONS = 12  # of a pose: the entries of its first three rows
 
 
@@ -102,7 +102,7 @@ def _where_from(story: Story, writer: Writer) -> list[Block]:
         paragraph(
             "A transform with the rotation {} and the column 4 {} has an inverse with the rotation "
             "{} and the column 4 {}:",
-            *(Symbol(*each) for each in INVERSE),
+            *(ROTATION, COLUMN, TURNED_BACK, minus(times(TURNED_BACK, COLUMN))),
         ),
         *side_by_side(inverses),
         paragraph("All entries of {} are", target(0)),

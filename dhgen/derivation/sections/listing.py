@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from dhgen.derivation.definitions import in_order
 from dhgen.derivation.effects import open_joints
 from dhgen.derivation.notation.names import cosine, joint_symbol, sine, theta, unknown_symbol
 from dhgen.derivation.sections.elements import element_blocks, known_side_blocks
@@ -136,7 +137,10 @@ def _branches(
 
 def _definitions(blocks: Iterable[Block]) -> list[Relation]:
     """What gives a letter its value, each letter once."""
-    found: dict[Formula, Relation] = {}
+    return list({each.sides[0]: each for each in in_order(_all_definitions(blocks))}.values())
+
+
+def _all_definitions(blocks: Iterable[Block]) -> Iterator[Relation]:
     for block in blocks:
         formulas: Iterable[object] = ()
         if isinstance(block, Display):
@@ -146,8 +150,7 @@ def _definitions(blocks: Iterable[Block]) -> list[Relation]:
         for formula in formulas:
             for each in formula.items if isinstance(formula, Listing) else (formula,):
                 if isinstance(each, Relation) and isinstance(each.sides[0], Symbol):
-                    found[each.sides[0]] = each
-    return list(found.values())
+                    yield each
 
 
 def _shown(relation: Relation) -> str:

@@ -146,6 +146,8 @@ _SEEN = {
     (Part.SLIDE, "forward"): "the slide is farther out (forward) or less far",
 }
 """By what is placed and one of its two words; {end} is what the arm reaches for with."""
+_TURNED = "noflip and flip are the two ways to turn the wrist"
+_SIGNS = "+ and - are signs, and say nothing of how the arm looks"
 
 
 def branch_legend(story: Story) -> list[Block]:
@@ -157,13 +159,18 @@ def branch_legend(story: Story) -> list[Block]:
     legend = say(f"In the names of rows {'; '.join('{}' for _ in choices)}.", *choices)
     if not seen:
         return [Paragraph(legend)]
-    return [Paragraph(legend), Paragraph(say(f"What the names mean: {'; '.join(seen)}."))]
+    meanings = "; ".join(dict.fromkeys(seen))
+    return [Paragraph(legend), Paragraph(say(f"What the names mean: {meanings}."))]
 
 
 def _seen(story: Story, axis: Axis) -> str:
     """What a person sees of the arm in rows of these names."""
     part = story.steps[axis.step - 1].kind.value.part
     words = [word.rstrip("0123456789") for word in axis.meaning]  # the joint's where two are alike
+    if "flip" in words:
+        return _TURNED
+    if any(word.endswith("+") for word in words):
+        return _SIGNS
     seen = next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
     turns = story.algebra.chain.task.directions is not Directions.NONE
     end = "the wrist" if turns else "the tool"
@@ -183,7 +190,9 @@ def _choice(story: Story, place: int, axis: Axis) -> Prose:
     unknown = joined([say("{}", unknown_symbol(each)) for each in unknowns])
     if axis.count != 2:
         first, last = axis.meaning[0], axis.meaning[-1]
-        return say(f"{first} to {last} are the roots of step {axis.step} for {{}}", unknown)
+        return say(
+            f"{first} to {last} are the roots of step {axis.step} for {{}}, ascending", unknown
+        )
     plus, opposite = axis.meaning
     axes = (story.program.axes[each] for each in sorted((*axis.factors, place)))
     sign = times(*map(story.sign, axes))

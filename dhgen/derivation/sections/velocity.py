@@ -12,10 +12,12 @@ from dhgen.derivation.text.formula import Matrix, Power, Symbol, add, equal, ove
 from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.text.words import joined as enumerated
+from dhgen.derivation.text.words import numeral
 from dhgen.derivation.velocity.determinant import determinant_of
 from dhgen.derivation.velocity.irreducible import is_irreducible
 from dhgen.derivation.velocity.lost import lost_motion, point_name
 from dhgen.derivation.velocity.posture import level_axis
+from dhgen.derivation.velocity.tall import has_fewer_joints, some_columns
 from dhgen.derivation.velocity.task_rows import ways_to_see
 from dhgen.derivation.velocity.with_arm_angle import determinant_with_arm_angle
 from dhgen.derivation.velocity.wrist import (
@@ -59,7 +61,7 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
     irreducible = _is_irreducible(story, found)
     square = found is not None or irreducible or bool(ways_to_see(story))
     if not (square or wrist or redundant):
-        return []
+        return _with_fewer_joints(story, places)
     elsewhere = found.elsewhere if found else None
     given = square and bool(chain.free)
     planar = found is not None and found.rows < chain.task.dimension
@@ -88,6 +90,24 @@ def velocity_section(story: Story, places: Sequence[Singularity]) -> list[Block]
         wrist=wrist is not None,
         **(_block(story, found.block) if found and found.block else {"block": None}),
         **(_wrist(story, wrist) if wrist else {}),
+    )
+
+
+def _with_fewer_joints(story: Story, places: Sequence[Singularity]) -> list[Block]:
+    """Why there is no determinant, and that of some columns."""
+    if not has_fewer_joints(story):
+        return []
+    chain, found = story.algebra.chain, some_columns(story, places)
+    at_the_tool = found is None or found.centre > chain.dof
+    return blocks_of(
+        "velocity_of_few",
+        numbers=numeral(chain.task.dimension),
+        given=bool(chain.free),
+        columns=found and enumerated([str(joint) for joint in found.joints]),
+        rows=found and numeral(len(found.joints)),
+        frame=found and str(found.frame),
+        centre=None if found is None or at_the_tool else point_name(story, found.centre),
+        determinant=found and display(found.formula),
     )
 
 

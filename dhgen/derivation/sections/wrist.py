@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from dhgen.derivation.notation.matrices import link_matrix
 from dhgen.derivation.notation.names import inverse, link, product_of, single, target, theta
 from dhgen.derivation.text.blocks import Given, display, joined, paragraph, say
-from dhgen.derivation.text.formula import Matrix, Product, Symbol, equal
+from dhgen.derivation.text.formula import Element, Listing, Matrix, Product, Symbol, equal
+from dhgen.derivation.text.lines import WIDTH, width
 from dhgen.kinematics.transform import compose
 from dhgen.robot.task import TaskKind
 
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Formula
+    from dhgen.kinematics.transform import Transform
 
 
 def wrist_blocks(story: Story, number: int) -> list[Block]:
@@ -66,6 +68,25 @@ def wrist_blocks(story: Story, number: int) -> list[Block]:
         head,
         display(equal(rotation, *letters, Matrix(tuple(entries)))),
         *_turned(story, number, wrist[0]),
+        *_origin(story, target(m), hand),
+    ]
+
+
+def _origin(story: Story, matrix: Formula, hand: Transform) -> list[Block]:
+    """Column 4 of the wrist's matrix, which is the hand's 3T6 in document 003."""
+    if not any(hand.translation):
+        return []
+    m, n = story.dof - len(story.wrist or ()), story.dof
+    entries = [
+        equal(Element(matrix, row, 4), story.write_forward(entry))
+        for row, entry in enumerate(hand.translation, start=1)
+    ]
+    if sum(map(width, entries)) > WIDTH - 10:
+        return []
+    text = "Column 4 of {} is the origin of frame {} as frame {} sees it:"
+    return [
+        paragraph(text, matrix, Given(str(n)), Given(str(m))),
+        display(Listing(tuple(entries))),
     ]
 
 

@@ -226,12 +226,29 @@ def times(*factors: Formula) -> Formula:
     if value == 0:
         return ZERO
     flat.sort(key=is_function)
+    flat = _with_powers(flat)
     if abs(value) != 1:
         flat.insert(0, Number(abs(value)))
     if not flat:
         return number(value)
     result = flat[0] if len(flat) == 1 else Product(tuple(flat))
     return result if value > 0 else minus(result)
+
+
+def _with_powers(factors: list[Formula]) -> list[Formula]:
+    """Factors of which a letter that comes twice in a row has an exponent."""
+    found: list[Formula] = []
+    for factor in factors:
+        (base, power), (last, before) = map(_power_of, (factor, found[-1] if found else ONE))
+        if base == last and isinstance(base, Symbol) and power > 0 and before > 0:
+            found[-1] = Power(base, power + before)
+        else:
+            found.append(factor)
+    return found
+
+
+def _power_of(factor: Formula) -> tuple[Formula, int]:
+    return (factor.base, factor.exponent) if isinstance(factor, Power) else (factor, 1)
 
 
 def over(above: Formula, below: Formula) -> Formula:

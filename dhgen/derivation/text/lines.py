@@ -130,7 +130,7 @@ def filled(formula: Formula, style: Style, room: int) -> list[str]:
 
 def _items(listing: Listing, style: Style) -> list[str]:
     shown = [show(item, style) for item in listing.items]
-    between = style.comma.replace(",", listing.separator)
+    between = style.between(listing.separator)
     return [text + between for text in shown[:-1]] + shown[-1:]
 
 

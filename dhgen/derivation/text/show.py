@@ -79,7 +79,7 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
                 parts += [style.sign(sign), show(side, style)]
             return " ".join(parts)
         case Listing(items, separator):
-            between = style.comma.replace(",", separator)
+            between = style.between(separator)
             return between.join(show(item, style) for item in items)
         case Matrix(rows):
             return style.matrix([[show_entry(entry, style) for entry in row] for row in rows])

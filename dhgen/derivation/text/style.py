@@ -24,9 +24,8 @@ class Style(Protocol):
         """The sign."""
         ...
 
-    @property
-    def comma(self) -> str:
-        """The separator of formulas side by side."""
+    def between(self, separator: str) -> str:
+        """What is between formulas side by side: a comma, or a semicolon behind a space."""
         ...
 
     @property
@@ -86,10 +85,13 @@ class Latex:
     """LaTeX as GitHub's MathJax reads it."""
 
     minus: str = "-"
-    comma: str = r",\quad "
     room: str = r" \thinspace "
     any_entry: str = r"\cdot"
     slanted: bool = False
+
+    def between(self, separator: str) -> str:
+        """What is between formulas side by side; a space has to be written as one."""
+        return separator.replace(" ", r" \thinspace ") + r"\quad "
 
     def symbol(self, symbol: Symbol) -> str:
         """A letter with its index."""
@@ -134,10 +136,13 @@ class Plain:
     """Unicode for a terminal."""
 
     minus: str = "−"
-    comma: str = ", "
     room: str = " "
     any_entry: str = "·"
     slanted: bool = True
+
+    def between(self, separator: str) -> str:
+        """What is between formulas side by side."""
+        return f"{separator} "
 
     def symbol(self, symbol: Symbol) -> str:
         """A letter with its index."""

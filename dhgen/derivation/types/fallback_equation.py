@@ -9,7 +9,7 @@ from dhgen.derivation.conditions import unsigned
 from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.notation.expressions import number_symbol
 from dhgen.derivation.notation.matrices import element_of
-from dhgen.derivation.notation.names import cosine, sine, theta
+from dhgen.derivation.notation.names import ARM_SIZE, cosine, sine, theta
 from dhgen.derivation.step_context import type_letter
 from dhgen.derivation.text.blocks import Given, display, paragraph, say
 from dhgen.derivation.text.formula import (
@@ -38,7 +38,6 @@ if TYPE_CHECKING:
 PRIMED = {name: Symbol(f"{name}'", f"{name}'") for name in "XY"}
 ADDED = {name: Symbol(rf"\hat {name}", f"{name}^") for name in "XY"}
 WEIGHT = Symbol(r"\sigma", "σ")
-SIZE = Symbol(r"\ell", "ℓ")
 OF_MOMENT = ", an element of the cross product of columns 3 and 4"
 FACING = -1  # the pool's equations are right - left, those on paper left = right
 
@@ -126,8 +125,8 @@ class Fallback:
         """A letter of the second equation, with as many lengths as the first equation's."""
         power = self._power
         if power < 0:
-            return (over(letter, times(*[SIZE] * -power)),)
-        return (*[SIZE] * power, letter)
+            return (over(letter, times(*[ARM_SIZE] * -power)),)
+        return (*[ARM_SIZE] * power, letter)
 
     def _size(self) -> Prose:
         """What makes both comparable."""
@@ -136,7 +135,7 @@ class Fallback:
             return say("")
         return say(
             f"{{}} {{}}, the arm's size ({size_in_words(chain)}), and ",
-            equal(SIZE, number_symbol(float(f"{chain.size:.12g}"))),
+            equal(ARM_SIZE, number_symbol(float(f"{chain.size:.12g}"))),
             Given(self.context.story.robot.length_unit),
         )
 

@@ -77,8 +77,11 @@ def print_two_angles(context: StepContext) -> StepText:
 
 def _squares(context: StepContext, x: Polynomial, y: Polynomial, rest: Polynomial) -> list[Block]:
     """The equation that the sum of the squares gives."""
+    known = [each.right if each.joints_left else each.left for each in context.quotes]
+    stand = all(context.polynomial(name) in known for name in ("Z1", "Z2"))
+    moved = "With the known terms moved to the right, the right sides are"
     called: list[Block] = [
-        paragraph("With the known terms moved to the right, the right sides are"),
+        paragraph("The right sides are" if stand else moved),
         display(context.definition("Z1"), context.definition("Z2")),
     ]
     if is_elimination(context):

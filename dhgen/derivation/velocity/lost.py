@@ -19,7 +19,10 @@ import numpy as np
 
 from dhgen.derivation.notation.names import letter
 from dhgen.derivation.text.blocks import Given, say
+from dhgen.derivation.text.words import joined
 from dhgen.derivation.velocity.posture import Posture, exact_value, spins_that_count
+from dhgen.kinematics.chain import parallel_groups
+from dhgen.robot.task import TaskKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -32,6 +35,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.text.formula import Formula
 
 POSTURES = 3
+PLANAR = 3  # parallel axes that move a point in a plane and turn it there
 TRIES = 12
 STEPS = 12  # of a turn, where a sign change is looked for
 HALVINGS = 30
@@ -51,11 +55,13 @@ class _Wrench:
         force: At the tool's origin.
         moment: About the tool's origin.
         frames: Frames 0 to n and the tool's, (n + 2, 3, 4).
+        columns: What the joints that are solved for give the tool, the task's rows.
     """
 
     force: FloatArray
     moment: FloatArray
     frames: FloatArray
+    columns: FloatArray
 
     def seen_from(self, frame: int) -> FloatArray:
         """The origins of all frames in one of them, (n + 2, 3)."""
@@ -96,7 +102,44 @@ def lost_motion(
     axis = _axis(story, wrenches, _force)
     if axis is not None:
         return say("with the orientation kept, the velocity along {}", axis)
-    return _lost_turning(story, wrenches, points)
+    turning = _lost_turning(story, wrenches, points)
+    if turning is not None:
+        return turning
+    away = [frame for frame in range(story.dof + 1) if frame not in points]
+    point = next((k for k in away if all(_is_force_at(w, k) for w in wrenches)), None)
+    if point is not None:
+        return _lost_velocity(story, wrenches, point)
+    return _lost_turning(story, wrenches, away) or _lost_by_parallel_axes(story, wrenches)
+
+
+def _lost_by_parallel_axes(story: Story, wrenches: list[_Wrench]) -> Prose | None:
+    """The velocity that three joints about parallel axes in one plane don't give."""
+    chain = story.algebra.chain
+    places = {joint.number: place for place, joint in enumerate(chain.solved)}
+    if chain.task.kind is not TaskKind.POSE:
+        return None
+    for run in parallel_groups(chain):
+        if len(run) < PLANAR or not {joint for joint, _ in run} <= {*places}:
+            continue
+        columns = [places[joint] for joint, _ in run]
+
+        def along(each: _Wrench, columns: list[int] = columns) -> FloatArray:
+            """At right angles to all that they give without turning; zero where there is none."""
+            own = each.columns[:, columns]
+            z = own[3:, 0]
+            rates = own[3:].T @ z
+            slides = rates * own[:3] - own[:3, :1]
+            left, sizes, _ = np.linalg.svd(slides)
+            return np.cross(left[:, 0], z) if sizes[1] < NEAR else np.zeros(3)
+
+        if any(np.linalg.norm(along(each)) < CLEAR for each in wrenches):
+            continue
+        axis = _axis(story, wrenches, along)
+        if axis is not None:
+            joints = joined([str(joint) for joint, _ in run])
+            text = f"without turning, the velocity along {{}} that joints {joints} give"
+            return say(text, axis)
+    return None
 
 
 def _lost_turning(story: Story, wrenches: list[_Wrench], points: list[int]) -> Prose | None:
@@ -288,7 +331,7 @@ def _lost(
             turned = frames[elsewhere[0]][:, :3]
             force, moment = turned @ force, turned @ moment
             moment += np.cross(frames[elsewhere[1]][:, 3] - frames[-1][:, 3], force)
-        found.append(_Wrench(force, moment, frames))
+        found.append(_Wrench(force, moment, frames, J))
     return tuple(found)
 
 
@@ -345,7 +388,7 @@ def _seen(story: Story) -> list[_Wrench]:
         frames = np.array(_posture(story, values).frames()[0], float)
         frames[..., 3] /= story.algebra.chain.size
         nothing = np.zeros(3)
-        seen.append(_Wrench(nothing, nothing, frames))
+        seen.append(_Wrench(nothing, nothing, frames, np.zeros((6, 0))))
     return seen
 
 
