@@ -71,7 +71,7 @@ def test_fewer_columns_than_rows_are_those_of_joints_solved_for() -> None:
     rows = "d: q", "theta: q, d: 0.3", "d: q, alpha: -pi/2", "d: q"
     text = document_of(*rows, task="pose", free="[1]", tool="{xyz: [0, 0, 0.1]}")
     assert "as columns of the joints that are solved for ($q_2$, $q_3$ and $q_4$)" in text
-    assert "the velocity of the point of the tool at the origin of frame 0 in the place" in text
+    assert "velocity of the point of the tool at the origin of frame 0 and the angular" in text
     assert r"\det J = -1" in text
 
 
