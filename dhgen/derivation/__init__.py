@@ -12,6 +12,7 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | step_context    | one step on its way to paper: its letters, its sign                         |
 | quotes          | the equations of a step as they are in the matrices                         |
 | known_functions | sines and cosines that a step has found, as later steps take them           |
+| definitions     | letters in the order in which they become known                             |
 | types           | a printer for each equation type                                            |
 | conditions      | where a combination vanishes, in joint angles                               |
 | effects         | what that means for the arm, and what the program does there                |

@@ -5,6 +5,7 @@
 - `triangle.py`: their order in which they are made of square blocks;
 - `determinant.py`: the factors of the determinant;
 - `irreducible.py`: whether it has any;
+- `tall.py`: of an arm with fewer joints than the task has numbers, the determinant of some columns;
 - `with_arm_angle.py`: the determinant with a row for the rate of the arm angle;
 - `wrist.py`: the Jacobian at the centre of a spherical wrist;
 - `posture.py`: a posture in numbers of any kind;
