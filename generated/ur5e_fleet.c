@@ -530,7 +530,7 @@ DHGEN_TABLE struct dhgen_arm arm_of_kind = {
     solve_certain,
 };
 
-static const dhgen_kind kind = {
+DHGEN_TABLE dhgen_kind kind = {
     0, /* the convention: 0 standard, 1 modified */
     { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },
     { 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0 },

@@ -70,7 +70,7 @@ enum {
     UR5E_FLEET_NOT_FINITE = 1,
     /* the tool is farther away than calibrations take it, at most by `turned` and `moved`, or a
      * number is above 100000 [rad, arm sizes]; the pose and the Jacobian are right, solutions may
-     * be missing */
+     * be missing, and of far larger numbers wrong */
     UR5E_FLEET_ANOTHER_ARM = 2,
     /* three axes meet, or are parallel, to 1e-9, as the nominal arm's: such an arm needs the closed
      * form of the nominal arm or of a robot file with these numbers; the pose and the Jacobian are

@@ -79,7 +79,7 @@ def _solved(chain: Chain, nearest: Nearest, reserved: Reserved) -> Nominal | Non
     if derivation.method is not Method.CLOSED_FORM:
         return None
     names = frozenset(constant.name for constant in chain.constants)
-    solver = replace(lower(derivation, reserved=reserved), name=NAME)
+    solver = replace(lower(derivation, reserved=reserved, zero=_zero(chain, nearest)), name=NAME)
     whole = regular(solver)
     own = None if whole is None else certified(whole, near.given, names)
     if own is None:
@@ -123,6 +123,14 @@ def _thetas(chain: Chain, nearest: Nearest) -> list[str]:
         f"{'-' if joint.sign < 0 else ''}q + ({joint.offset + more!r})"
         if joint.number in chain.free
         else "q"
+        for joint, more in zip(chain.joints, nearest.offsets, strict=True)
+    ]
+
+
+def _zero(chain: Chain, nearest: Nearest) -> list[float]:
+    """The near arm's joint values where the arm's are zero."""
+    return [
+        0.0 if joint.number in chain.free else joint.offset + more
         for joint, more in zip(chain.joints, nearest.offsets, strict=True)
     ]
 

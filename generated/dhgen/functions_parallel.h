@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The functions of a robot that stands on legs. */
+ * The functions of a robot that stands on legs. The file that includes this one defines its name
+ * (DHGEN_NAME), how many legs, rows, joints and drives there are (see drives.h; DHGEN_DRIVES of the
+ * platform, DHGEN_ASSEMBLIES and DHGEN_ELIMINATION where its poses at given drives are found), and
+ * before these functions `robot`, `lanes` and `solve_driven`. */
 #ifndef DHGEN_FUNCTIONS_PARALLEL_H
 #define DHGEN_FUNCTIONS_PARALLEL_H
 

@@ -123,3 +123,10 @@ def test_the_source_in_docs_is_one(tmp_path: Path) -> None:
     page = (GENERATED.parent / "docs" / "gpu.md").read_text("utf-8")
     (text,) = re.findall(r"```c\n(#define DHGEN_ROBOT.*?)```", page, re.DOTALL)
     assert built(text, tmp_path, "-c").stat().st_size > 0
+
+
+@BREADTH
+@pytest.mark.parametrize("name", ["ur5e_fleet", "delta"])
+def test_tables_of_other_files_are_where_kernels_read_them(name: str, tmp_path: Path) -> None:
+    """NVRTC, which makes nothing for the host, takes a table without its mark."""
+    assert built(f'#include "{name}.c"\n', tmp_path, "-c", "-rdc=true").stat().st_size > 0

@@ -24,6 +24,8 @@ from dhgen.program.reserved import NOTHING, Reserved
 from dhgen.tolerances import TOLERANCES
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.kinematics.chain import Chain
     from dhgen.numerical.kernel import NumericalKernel
     from dhgen.paul.derivation import Derivation
@@ -38,7 +40,10 @@ WORTH, SHORTER = 1.1, 0.75
 
 
 def lower(
-    derivation: Derivation, tolerances: Tolerances = TOLERANCES, reserved: Reserved = NOTHING
+    derivation: Derivation,
+    tolerances: Tolerances = TOLERANCES,
+    reserved: Reserved = NOTHING,
+    zero: Sequence[float] | None = None,
 ) -> Program:
     """The program of a derivation.
 
@@ -46,6 +51,7 @@ def lower(
         derivation: What to compute, and why.
         tolerances: Of the arithmetic that it is for.
         reserved: Names that are kept for others.
+        zero: The joint values at which the arm stands as people know it; None where these are zero.
     """
     chain = derivation.problem.algebra.chain
     if derivation.whole is not None:
@@ -70,7 +76,7 @@ def lower(
     if checks.rows:
         tried = (program, lowered(replace(checks, moved=True)))
         program = min(tried, key=lambda each: effort(each, tolerances))
-    return with_postures(program, derivation)
+    return with_postures(program, derivation, zero)
 
 
 def _parts(derivation: Derivation, tolerances: Tolerances) -> PartsOf:

@@ -14,13 +14,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.descriptions.misses import GAP
 from dhgen.kinematics.algebra import AngleSum
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.kind import Part
 from dhgen.program.interpret import interpret
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterator, Sequence
 
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
@@ -48,8 +49,16 @@ class Look:
     seen: FloatArray
 
 
-def with_postures(program: Program, derivation: Derivation) -> Program:
-    """A solver whose rows have the names of what is seen of them."""
+def with_postures(
+    program: Program, derivation: Derivation, zero: Sequence[float] | None = None
+) -> Program:
+    """A solver whose rows have the names of what is seen of them.
+
+    Args:
+        program: The solver.
+        derivation: What it does.
+        zero: The joint values at which the arm stands as people know it; None where these are zero.
+    """
     chain = derivation.problem.algebra.chain
     steps = [derivation.steps[axis.step - 1] for axis in program.axes]
     axes = [
@@ -61,7 +70,7 @@ def with_postures(program: Program, derivation: Derivation) -> Program:
         for place, axis in enumerate(axes)
         if axis.count == 2 and axis.meaning != _WORDS["wrist"]
     ]
-    found = _solutions(program, derivation) if watched else None
+    found = _solutions(program, derivation, zero) if watched else None
     if found is not None and not np.isnan(found.q).all():
         for place in watched:
             if (look := _look(found, steps[place], place, program)) is not None:
@@ -154,6 +163,7 @@ class Solutions:
             passive rows.
         points: A point of each axis, of the same shape.
         tool: The tool's origin, (poses, rows, 3).
+        zero: The joint values at which the arm stands as people know it, (n,).
     """
 
     arm: NumericArm
@@ -161,6 +171,7 @@ class Solutions:
     directions: FloatArray
     points: FloatArray
     tool: FloatArray
+    zero: FloatArray
 
     @property
     def size(self) -> float:
@@ -202,7 +213,7 @@ class Solutions:
         return self.point(joint) + along[..., None] * u
 
 
-def _solutions(program: Program, derivation: Derivation) -> Solutions:
+def _solutions(program: Program, derivation: Derivation, zero: Sequence[float] | None) -> Solutions:
     chain = derivation.problem.algebra.chain
     arm = numeric_arm(chain)
     reach = [np.pi if turns else chain.size for turns in chain.turning]
@@ -215,11 +226,11 @@ def _solutions(program: Program, derivation: Derivation) -> Solutions:
     formulas = replace(program, completion=None, refinement=None)
     rows = interpret(formulas, arm.pose(q), q, given)
     found = np.where((rows.free | rows.close)[..., None], np.nan, rows.q)
-    return _drawn(arm, found)
+    return _drawn(arm, found, np.zeros(chain.dof) if zero is None else np.array(zero))
 
 
-def _drawn(arm: NumericArm, q: FloatArray) -> Solutions:
-    return Solutions(arm, q, *arm.all_axes(q), arm.pose(q)[..., :3, 3])
+def _drawn(arm: NumericArm, q: FloatArray, zero: FloatArray) -> Solutions:
+    return Solutions(arm, q, *arm.all_axes(q), arm.pose(q)[..., :3, 3], zero)
 
 
 # ------------------------------------------------------------------------------- what is seen
@@ -301,8 +312,8 @@ def _reaches_back(found: Solutions, line: FloatArray) -> FloatArray | bool:
 def _shoulder(found: Solutions) -> Look | None:
     """Where the plane of the arm is, seen along the way from axis 1 to the wrist.
 
-    Beside axis 1 where the shoulder has an offset: the arm is a left or a right one. Otherwise the
-    arm faces the wrist or reaches over itself.
+    Beside axis 1 where the shoulder has an offset, more than a calibration brings: the arm is a
+    left or a right one. Otherwise the arm faces the wrist or reaches over itself.
     """
     if not found.turns(1) or not found.turns(2):
         return None
@@ -314,7 +325,7 @@ def _shoulder(found: Solutions) -> Look | None:
         return None
     ahead = np.cross(across, first)  # horizontal, in the plane of the arm
     beside, reach = _dot(wrist, across), _dot(wrist, ahead)
-    if np.nanmax(np.abs(beside)) > EXACT * found.size:
+    if np.nanmax(np.abs(beside)) > GAP * found.size:
         # who looks ahead has the axis `across` on the left if axis 1 points up
         seen = _seen(first[..., 2] * beside * reach, found.size**2)
         return Look(("left", "right"), seen)
@@ -351,12 +362,13 @@ def _faces(found: Solutions, ahead: FloatArray) -> float:
     """1 if the arm faces ahead, -1 if it faces the other way.
 
     It faces where its shoulder is; one that is on axis 1, where its wrist is when all joint values
-    are zero; and one that is upright then, where the base's x axis goes with joint 1.
+    are zero; and one that is upright then, where the base's x axis goes with joint 1. An offset
+    that only a calibration brings moves no shoulder off axis 1.
     """
     shoulder = float(np.nanmean(_dot(found.point(2) - found.point(1), ahead)))
-    if abs(shoulder) > EXACT * found.size:
+    if abs(shoulder) > GAP * found.size:
         return float(np.sign(shoulder))
-    zero = _drawn(found.arm, np.zeros((1, 1, found.arm.chain.dof)))
+    zero = _drawn(found.arm, found.zero[None, None], found.zero)
     forward = np.cross(zero.axis(2), zero.axis(1))
     place = _wrist_place(found)
     assert place is not None

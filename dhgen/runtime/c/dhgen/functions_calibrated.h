@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The functions of arms of one kind, whose tables come at run time. */
+ * The functions of arms of one kind, whose tables come at run time. The file that includes this one
+ * defines its name (DHGEN_NAME), and before these functions `kind`. */
 #ifndef DHGEN_FUNCTIONS_CALIBRATED_H
 #define DHGEN_FUNCTIONS_CALIBRATED_H
 
