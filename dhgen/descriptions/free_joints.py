@@ -1,8 +1,9 @@
 """Which joints of an arm with more than six the caller is to give: those that leave most structure.
 
 By geometry alone, at once: which six joints have three neighbours whose axes meet or are parallel,
-which is what makes a closed form (Pieper 1968). What each choice costs in full, `dhgen` prints for
-a robot file without `free`.
+which is what makes a closed form (Pieper 1968). Six joints without six independent motions reach
+nearly no pose, whatever structure they have. What each choice costs in full, `dhgen` prints for a
+robot file without `free`.
 """
 
 from __future__ import annotations
@@ -11,16 +12,24 @@ import math
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from dhgen.descriptions.lines import are_parallel, common_normal
-from dhgen.descriptions.rotations import minus
+from dhgen.descriptions.rotations import STILL, about, cross, minus, placed, times, turned
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from dhgen.arrays import FloatArray
     from dhgen.descriptions.lines import Arm, Axis
+    from dhgen.descriptions.rotations import Placed
 
 SIX = 6  # joints that a pose fixes
 ELBOW = 3  # where no other one is better, the turn of the upper arm is given
+SAMPLES = 3  # postures: one alone may be nearly singular by chance
+# Singular values [rad, arm sizes]: what rounding and --snap leave of a motion that is lost is less,
+# and in one of a few postures a motion that there is has more.
+LOST = 1e-6
 
 
 def free_joints(arm: Arm) -> tuple[int, ...]:
@@ -31,7 +40,50 @@ def free_joints(arm: Arm) -> tuple[int, ...]:
     numbers = range(1, len(arm.axes) + 1)
     if extra == 1 and _has(arm, (1, 2, 3), _meet) and _has(arm, (5, 6, 7), _meet):
         return (3,)  # shoulder and wrist: the elbow's own angle is what the pose fixes
-    return min(combinations(numbers, extra), key=lambda free: _rank(arm, free))
+    order = sorted(combinations(numbers, extra), key=lambda free: _rank(arm, free))
+    jacobians = _jacobians(arm)
+    if not _is_regular(jacobians):
+        return order[0]
+    return next((free for free in order if _is_regular(_without(jacobians, free))), order[0])
+
+
+def _jacobians(arm: Arm) -> FloatArray:
+    """Motions of the joints at random values, lengths in arm sizes, shape (SAMPLES, 6, n)."""
+    rng = np.random.default_rng(0)
+    return np.array(
+        [_jacobian(arm, rng.uniform(-math.pi, math.pi, len(arm.axes))) for _ in range(SAMPLES)]
+    )
+
+
+def _jacobian(arm: Arm, q: FloatArray) -> FloatArray:
+    """The motion of each joint: velocity of the base's origin and angular velocity, shape (6, n).
+
+    Args:
+        arm: The arm.
+        q: Joint values [rad or arm sizes].
+    """
+    frame: Placed = (STILL, (0.0, 0.0, 0.0))
+    columns = []
+    for axis, value in zip(arm.axes, map(float, q), strict=True):
+        direction = turned(frame[0], axis.direction)
+        point = times(axis.point, 1.0 / arm.size)
+        if axis.turns:
+            columns.append((*cross(placed(frame, (STILL, point))[1], direction), *direction))
+            R = about(axis.direction, value)
+            frame = placed(frame, (R, minus(point, turned(R, point))))
+        else:
+            columns.append((*direction, 0.0, 0.0, 0.0))
+            frame = placed(frame, (STILL, times(axis.direction, value)))
+    return np.array(columns).T
+
+
+def _without(jacobians: FloatArray, free: tuple[int, ...]) -> FloatArray:
+    return np.delete(jacobians, [number - 1 for number in free], axis=-1)
+
+
+def _is_regular(jacobians: FloatArray) -> bool:
+    """Whether the joints have six independent motions in one of the postures."""
+    return bool(np.linalg.svd(jacobians, compute_uv=False)[:, -1].max() > LOST)
 
 
 def _rank(arm: Arm, free: tuple[int, ...]) -> tuple[float, ...]:

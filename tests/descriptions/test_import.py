@@ -14,6 +14,7 @@ from dhgen.derivation import derivation_terminal
 from dhgen.descriptions.convert import Import, convert
 from dhgen.descriptions.urdf import read_urdf
 from dhgen.descriptions.wishes import Wishes
+from dhgen.oracle.forward import jacobian
 from dhgen.robot.expression import evaluate
 from dhgen.robot.load import load
 from dhgen.robot.robot import Convention, DhTable, ReferenceAxes, Robot
@@ -224,6 +225,46 @@ def test_seven_joints_get_one_that_is_given() -> None:
     assert of_file("panda").robot.free == (7,)
     assert of_file("iiwa14").robot.free == (3,)
     assert of_file("ur5").robot.free == ()
+
+
+# Joints from the base: their axes, and where each is from the one before.
+SLIDES = (("prismatic", "1 0 0", "0 0 0"), ("prismatic", "0 1 0", "0 0 0"))
+LIFT = ("prismatic", "0 0 1", "0 0 0")
+TURNS = (
+    *(("revolute", "0 0 1", "0 0 0.2"), ("revolute", "0 1 0", "0.05 0 0.1")),
+    *(("revolute", "0 1 0", "0 0 0.4"), ("revolute", "0 1 0", "0.05 0 0.3")),
+    *(("revolute", "0 0 1", "0 0.1 0.1"), ("revolute", "0 1 0", "0.05 0 0.1")),
+)
+
+
+@pytest.mark.parametrize(
+    ("joints", "free"),
+    [
+        # a gantry: its slides and the arm's last joints would be left
+        ((*SLIDES, LIFT, *TURNS), (1, 2, 3)),
+        # a base that drives in a plane, and an arm of five joints
+        ((*SLIDES, *TURNS[:5]), (1,)),
+        # of four parallel axes three are enough
+        ((TURNS[0], *[TURNS[2]] * 4, ("revolute", "1 0 0", "0 0 0.1"), TURNS[0]), (2,)),
+        # a table that turns about the first axis of what is on it
+        ((("revolute", "1 0 0", "0 0 0"), TURNS[0], *TURNS), (1, 2)),
+    ],
+)
+def test_six_joints_are_left_that_move_in_six_ways(
+    joints: tuple[tuple[str, str, str], ...], free: tuple[int, ...]
+) -> None:
+    lines = ['<robot name="arm"><link name="l0"/>']
+    for number, (kind, axis, xyz) in enumerate(joints, 1):
+        lines.append(
+            f'<link name="l{number}"/><joint name="j{number}" type="{kind}">'
+            f'<parent link="l{number - 1}"/><child link="l{number}"/>'
+            f'<origin xyz="{xyz}"/><axis xyz="{axis}"/><limit lower="-2" upper="2"/></joint>'
+        )
+    robot = imported("\n".join([*lines, "</robot>"])).robot
+    assert robot.free == free
+    q = np.random.default_rng(3).uniform(-1.5, 1.5, len(joints))
+    left = [number for number in range(len(joints)) if number + 1 not in free]
+    assert np.linalg.matrix_rank(jacobian(robot, q)[:, left], tol=1e-6) == 6
 
 
 def test_what_reads_descriptions_knows_no_later_stage() -> None:
