@@ -82,7 +82,8 @@ def _write_robot_file(
     Args:
         name: The robot's, which names the file where nobody wishes another name.
         text: What to write.
-        wished: Where to write; what is there is written over. A dash is the terminal.
+        wished: Where to write; a file that is there is written over, a folder that is missing is
+            made. A dash is the terminal.
         read: The files that this one is made of, which are not written over.
 
     Returns:
@@ -95,11 +96,12 @@ def _write_robot_file(
         print(text, end="")
         return None
     out = wished or Path(f"{name}.yaml")
-    if out.exists() and wished is None and out.read_text("utf-8") != text:
+    refuse_occupied([out])
+    if out.exists() and wished is None and out.read_bytes() != text.encode():
         message = f"dhgen: {out} is there already: write over it with --out {quote(str(out))}"
         raise CommandError(f"{message}, or name another file")
     refuse_what_was_read(out, read)
-    refuse_occupied([out])
     print_replaced(out, text)
+    out.parent.mkdir(parents=True, exist_ok=True)
     replace_files(out.parent, {out.name: text.encode()})
     return out

@@ -209,6 +209,8 @@ def test_what_is_written_over_is_told_and_what_is_read_stays(
     assert "note: other.yaml was there and is written over" in capsys.readouterr().err
     assert main([*command, "other.yaml"]) == 0
     assert "written over" not in capsys.readouterr().err
+    assert main([*command, "some/where/arm.yaml"]) == 0
+    assert load("some/where/arm.yaml").name == "arm"
 
 
 @pytest.mark.parametrize(

@@ -50,6 +50,27 @@ def test_it_writes_over_nothing_that_a_person_may_have_changed(
     assert load("ur5.yaml").name == "ur5"
 
 
+def test_what_is_there_may_be_anything(capsys: pytest.CaptureFixture[str]) -> None:
+    latin = "# größer".encode("latin-1")  # no UTF-8
+    Path("ur5.yaml").write_bytes(latin)
+    assert main(["import", str(UR5)]) == 2
+    assert "ur5.yaml is there already" in capsys.readouterr().err
+    assert Path("ur5.yaml").read_bytes() == latin
+    assert main(["import", str(UR5), "--out", "ur5.yaml"]) == 0
+    assert "note: ur5.yaml was there and is written over" in capsys.readouterr().err
+    Path("ur5.yaml").unlink()
+    Path("ur5.yaml").mkdir()
+    for out in ([], ["--out", "ur5.yaml"]):
+        assert main(["import", str(UR5), *out]) == 2
+        error = capsys.readouterr().err.splitlines()[-1]
+        assert error == "dhgen: can't write ur5.yaml: it is a folder"
+
+
+def test_folders_are_made() -> None:
+    assert main(["import", str(UR5), "--out", "some/where/x.yaml"]) == 0
+    assert load("some/where/x.yaml").name == "ur5"
+
+
 def test_the_terminal_gets_the_file_alone(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["import", str(UR5), "--out", "-"]) == 0
     told = capsys.readouterr().out
