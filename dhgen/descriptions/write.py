@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.descriptions.mimic import share_text
 from dhgen.descriptions.rotations import to_rpy
-from dhgen.robot.angles import exact_angle, twelfths
+from dhgen.robot.angles import MEASURED, SNAP, exact_angle, near_right_angle, twelfths
 from dhgen.robot.expression import to_text
 from dhgen.robot.names import MAX_ROBOT_NAME, YAML_WORDS, why_no_joint_name, why_no_robot_name
 from dhgen.robot.robot import Convention
@@ -111,7 +111,16 @@ def angle_cell(value: float, near: float) -> str:
         k = round(value / _TWELFTH)
     if k is not None:
         return to_text(exact_angle(12 if k % 24 == 12 else (k + 12) % 24 - 12))
+    if near <= SNAP and near_right_angle(value, "pi"):  # no slip: nothing is to be taken as exact
+        return _with_all_digits(decimal(value))
     return _degrees(value, 1e-14) or decimal(value)
+
+
+def _with_all_digits(text: str) -> str:
+    """A decimal with zeros behind it until its digits are not few."""
+    whole, point, rest = text.partition(".")
+    missing = MEASURED - len((whole + rest).lstrip("-0"))
+    return whole + (point or ".") + rest + "0" * missing
 
 
 def _degrees(value: float, near: float) -> str | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from fractions import Fraction
 from typing import Literal, NamedTuple
 
@@ -23,6 +24,8 @@ from dhgen.robot.expression import (
 
 SNAP = 1e-9  # what is nearer than this to an exact value is taken as exact
 SLIP = 1e-3  # what is nearer than this to a multiple of pi/2 probably means it
+MEASURED = 12  # a number of so many digits was measured, or computed: nobody types them
+SINGLE = 2e-7  # what single precision leaves of angles up to a turn
 MOST_QUARTERS = 2  # pi/2 and pi are what radians in a file of degrees mean as a rule
 ROUGH = 2e-3  # how far 3.14 is from pi, nearly
 MOST_TURNS = 2  # an angle of more looks like degrees
@@ -37,6 +40,7 @@ LARGEST_LENGTH = 1e9  # beyond, products of lengths leave the range where 1e-9 m
 ROUNDING = 1e-15  # what arithmetic with doubles loses for a value of about 1
 
 _DEG = Name("deg")
+_NUMBER = re.compile(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)")
 _TWELFTH = math.pi / 12
 _QUARTER = Fraction(1, 4)
 _COSINES = (
@@ -130,18 +134,28 @@ def unit_notice(value: float, unit: Literal["pi", "deg", ""]) -> str | None:
     return None if unit else _radians_notice(math.degrees(value))
 
 
-def near_right_angle(value: float, unit: Literal["pi", "deg", ""], joint: str = "") -> Near | None:
+def has_all_digits(text: str) -> bool:
+    """Whether a cell holds a number that is not rounded to what a person types."""
+    return any(
+        len(number.replace(".", "").lstrip("0")) >= MEASURED for number in _NUMBER.findall(text)
+    )
+
+
+def near_right_angle(
+    value: float, unit: Literal["pi", "deg", ""], joint: str = "", within: float = SLIP
+) -> Near | None:
     """The multiple of pi/2 that an angle nearly, but not exactly, is.
 
     Args:
         value: The angle in radians.
         unit: How the file writes angles: with pi, with the word deg, or as plain degrees.
         joint: The joint's variable with its sign if the angle is an offset to it.
+        within: How far away it may be [rad].
     """
     if not math.isfinite(value):
         return None
     quarters, distance = _quarters(value)
-    if not SNAP < distance <= SLIP:
+    if not SNAP < distance <= within:
         return None
     meant = _multiple(quarters, unit)
     written = meant

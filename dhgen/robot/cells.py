@@ -10,8 +10,11 @@ from typing import TYPE_CHECKING, Literal
 from dhgen.robot.angles import (
     LARGEST_ANGLE,
     LARGEST_LENGTH,
+    SINGLE,
+    SLIP,
     SNAP,
     exact_angle,
+    has_all_digits,
     near_cosine,
     near_exact,
     near_right_angle,
@@ -213,12 +216,18 @@ class Cells:
         return expression
 
     def _look_at_angle(self, path: Path, text: str, angle: Expression, variable: str) -> None:
-        """Looks for slips: the other unit, and what is nearly a right angle."""
+        """Looks for slips: the other unit, and what is nearly a right angle.
+
+        What has all its digits is so as it was measured, in a calibration, unless it is a right
+        angle in single precision.
+        """
         unit, value = self._unit(text), self.value(angle)
         if notice := self.units.mixed_notice(angle) or unit_notice(value, unit):
             part = "the offset of " if variable else ""
             self._notice_unit(path, part + quoted(text.strip()), notice, angle)
-        elif near := near_right_angle(value, unit, variable):
+            return
+        within = SINGLE if has_all_digits(text) else SLIP
+        if near := near_right_angle(value, unit, variable, within):
             self.slips.append(NearCell(path, text.strip(), near, is_offset=bool(variable)))
 
     def snap_ratio(self, path: Path, text: str, expression: Expression) -> Expression:

@@ -191,6 +191,15 @@ def test_cells_are_those_of_robot_files() -> None:
     )
 
 
+@pytest.mark.parametrize("options", [(), ("--axes",)])
+@pytest.mark.parametrize("robot", ["puma560", "ur5e"])
+def test_nothing_advises_to_undo_it(robot: str, options: tuple[str, ...]) -> None:
+    """Deltas of few digits, too: these are what was measured."""
+    rows = "".join(f"  - {{theta: {0.0003 * k}, alpha: -0.0004}}\n" for k in (1, -1, 2, -2, 3, 1))
+    assert calibrated(robot, f"deltas:\n{rows}", *options, "--out", "arm.yaml") == 0
+    assert load("arm.yaml").notices == ()
+
+
 def test_what_is_written_over_is_told_and_what_is_read_stays(
     capsys: pytest.CaptureFixture[str],
 ) -> None:

@@ -288,6 +288,21 @@ def test_a_right_angle_is_exact_without_a_notice(cell: str) -> None:
 
 
 @pytest.mark.parametrize(
+    "cell", ["-1.5700966665020601", "1.57009666650", "0.000300000000000", "3.00000000000e-4"]
+)
+def test_what_was_measured_to_twelve_digits_is_no_slip(cell: str) -> None:
+    """A calibration, which a right angle in its place would undo."""
+    loaded = robot(table(f"theta: q, alpha: {cell}"))
+    assert getattr(loaded.joints[0], "alpha", ZERO) != ZERO
+    assert not loaded.notices
+
+
+def test_eleven_digits_may_be_a_slip() -> None:
+    (notice,) = robot(table("theta: q + 0.00030000000000, alpha: 1.5700966665")).notices[:1]
+    assert "write q if that is meant" in notice.message
+
+
+@pytest.mark.parametrize(
     ("cell", "alpha", "message"),
     [
         ("1.57079632679", "pi/2", "is 4.9e-12 away from pi/2 and taken as pi/2"),
@@ -298,6 +313,11 @@ def test_a_right_angle_is_exact_without_a_notice(cell: str) -> None:
         ("1.571", "1.571", "is 2.0e-04 away from pi/2: write pi/2 if that is meant"),
         ("-1.5708", "-1.5708", "is 3.7e-06 away from -pi/2: write -pi/2 if that is meant"),
         ("3.1416", "3.1416", "is 7.3e-06 away from pi: write pi if that is meant"),
+        (  # pi/2 in single precision
+            "1.5707963705062866",
+            "1.5707963705062866",
+            "is 4.4e-08 away from pi/2: write pi/2 if that is meant",
+        ),
         (
             "90.01 deg",
             "90.01*(pi/180)",
