@@ -91,7 +91,13 @@ def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None
         raise _refusal(robot, "it is given by axes")
     if chain.dof != JOINTS or not all(chain.turning):
         raise _refusal(robot, "it has other joints than six that turn")
-    if chain.task.kind is not TaskKind.POSE or robot.free or robot.arm_angle:
+    if robot.free:
+        joints = "joint" if len(robot.free) == 1 else "joints"
+        listed = ", ".join(map(str, robot.free))
+        raise _refusal(
+            robot, f"the caller gives {joints} {listed} (free), and all six are to be solved for"
+        )
+    if chain.task.kind is not TaskKind.POSE:
         raise _refusal(robot, "it is not asked for poses alone")
     if robot.is_coupled:
         raise _refusal(robot, "its drives are coupled, or sums of them limited")

@@ -17,6 +17,7 @@ from dhgen.calibrated import kind_of
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.method import Method
 from dhgen.oracle.forward import forward
+from dhgen.robot.task import TaskKind
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files, runtime_files
 from dhgen.runtime.python.calibrate import ANOTHER_ARM, NO_MISS, NOT_FINITE, TAKEN
@@ -393,6 +394,16 @@ def test_refusals() -> None:
         kind_of(plain, module, RESERVED)
     with pytest.raises(UnsolvedError, match="its own method is quartic, no closed form"):
         kind_of(file.robot, replace(module, method=Method.QUARTIC), RESERVED)
+    given = replace(file.robot, free=(1,))
+    with pytest.raises(UnsolvedError, match=r"the caller gives joint 1 \(free\), and all six are"):
+        kind_of(given, module, RESERVED)
+    given = replace(file.robot, free=(1, 4))
+    with pytest.raises(UnsolvedError, match=r"the caller gives joints 1, 4 \(free\)"):
+        kind_of(given, module, RESERVED)
+    task = replace(module.chain.task, kind=TaskKind.POSITION)
+    moved = replace(module, chain=replace(module.chain, task=task))
+    with pytest.raises(UnsolvedError, match="it is not asked for poses alone"):
+        kind_of(file.robot, moved, RESERVED)
     general = replace(module, chain=kind("puma560").module.chain)
     with pytest.raises(UnsolvedError, match="no three of its axes side by side are parallel, or"):
         kind_of(file.robot, general, RESERVED)
