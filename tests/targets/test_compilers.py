@@ -86,6 +86,18 @@ def test_no_warnings_in_lanes(name: str) -> None:
     assert compiled(COMPILERS[0], *flags, *vectors, "-fsyntax-only", f"{name}.c") == ""
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["scara", "fanuc_crx10ia"])
+@pytest.mark.parametrize("compiler", [*COMPILERS[:1], *CPP[:1]])
+def test_no_warnings_in_wide_lanes(name: str, compiler: str) -> None:
+    """What compilers see once they have unrolled and inlined, their own headers among it."""
+    made(name)
+    language = ("-x", "c++", "-std=c++14") if compiler in CPP else ("-std=c99",)
+    wide = ("-mavx512f", "-mavx512dq", "-mavx512vl", "-mfma")
+    flags = ("-O3", *wide, *WARNINGS, "-c", f"{name}.c", "-o", f"{name}_wide.o")
+    assert compiled(compiler, *language, *flags) == ""
+
+
 @pytest.mark.parametrize("name", one_of_each(SOME))
 def test_no_warnings_without_the_fast_path(name: str) -> None:
     made(name)

@@ -173,7 +173,7 @@ DHGEN_FN void dhgen_look_closer(const dhgen_source *source, dhgen_roots *roots)
             i++;
             continue;
         }
-        if (looks == DHGEN_LOOKS) {
+        if (looks >= DHGEN_LOOKS) {
             break;
         }
         c[looks] = roots->double_c[i];
