@@ -100,7 +100,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D1 = N1 - Z1 * Z1;
     const double v1 = fabs(Z1), v2 = 2.0 * v1;
     const int apart1 = merge_slack2 * (v2 + merge_slack2) < D1;
-    if (!(-(reach_slack2 * (v2 + reach_slack2)) <= D1)) return; /* out of reach */
+    if (!(-(reach_slack2 * (v2 + reach_slack2)) < D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v1 * sqrt(N1)));
     const double v3 = X1 * Z1, v4 = Y1 * Z1;

@@ -136,7 +136,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     v1 = abs(Z1)
     v2 = 2.0 * v1
     apart1 = merge_slack2 * (v2 + merge_slack2) < D1
-    if not (-(reach_slack2 * (v2 + reach_slack2)) <= D1):
+    if not (-(reach_slack2 * (v2 + reach_slack2)) < D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v1 * math.sqrt(N1)))

@@ -156,7 +156,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D4 = k3 - Z4 * Z4;
     const double v4 = 2.0 * fabs(Z4);
     const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
-    if (!(-(reach_slack2 * (v4 + reach_slack2)) <= D4)) return; /* out of reach */
+    if (!(-(reach_slack2 * (v4 + reach_slack2)) < D4)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
     const double v5 = (apart4 ? w4 : least_root2) * k5, v6 = k1 * Z4, v7 = k2 * Z4;
 
@@ -189,7 +189,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const int free5 = N5 <= free_limit_squared2;
         const double D5 = N5 - v9;
         const int apart5 = v12 < D5;
-        if (!(-(reach_slack1 * (v11 + reach_slack1)) <= v5 * D5)) continue; /* out of reach */
+        if (!(-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5)) continue; /* out of reach */
         const double w5 = sqrt(apart5 ? D5 : 0.0);
         const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v10 * sqrt(N5)));
         const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v8 * Z5);

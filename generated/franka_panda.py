@@ -224,7 +224,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     D4 = k3 - Z4 * Z4
     v4 = 2.0 * abs(Z4)
     apart4 = merge_slack2 * (v4 + merge_slack2) < D4
-    if not (-(reach_slack2 * (v4 + reach_slack2)) <= D4):
+    if not (-(reach_slack2 * (v4 + reach_slack2)) < D4):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
     v5 = (w4 if apart4 else least_root2) * k5
@@ -261,7 +261,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         free5 = N5 <= free_limit_squared2
         D5 = N5 - v9
         apart5 = v12 < D5
-        if not (-(reach_slack1 * (v11 + reach_slack1)) <= v5 * D5):
+        if not (-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5):
             continue  # out of reach
         w5 = math.sqrt(D5 if apart5 else 0.0)
         inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v10 * math.sqrt(N5)))

@@ -192,7 +192,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double D1 = N1 - Z1 * Z1;
         const double v5 = fabs(Z1), v6 = 2.0 * v5;
         const int apart1 = merge_slack1 * (v6 + merge_slack1) < D1;
-        if (!(-(reach_slack1 * (v6 + reach_slack1)) <= v2 * D1)) continue; /* out of reach */
+        if (!(-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1)) continue; /* out of reach */
         const double w1 = sqrt(apart1 ? D1 : 0.0);
         const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v5 * v7));
         const double v8 = -wx * Z1, v9 = wy * Z1;

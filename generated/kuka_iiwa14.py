@@ -256,7 +256,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         v5 = abs(Z1)
         v6 = 2.0 * v5
         apart1 = merge_slack1 * (v6 + merge_slack1) < D1
-        if not (-(reach_slack1 * (v6 + reach_slack1)) <= v2 * D1):
+        if not (-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1):
             continue  # out of reach
         w1 = math.sqrt(D1 if apart1 else 0.0)
         inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v5 * v7))

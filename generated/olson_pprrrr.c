@@ -122,7 +122,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D4 = k1 - Z4 * Z4;
     const double v3 = 2.0 * fabs(Z4);
     const int apart4 = merge_slack1 * (v3 + merge_slack1) < D4;
-    if (!(-(reach_slack1 * (v3 + reach_slack1)) <= D4)) return; /* out of reach */
+    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D4)) return; /* out of reach */
     const double w4 = sqrt(apart4 ? D4 : 0.0);
     const double s4 = k2 * (a4 * Z4);
 

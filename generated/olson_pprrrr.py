@@ -149,7 +149,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     D4 = k1 - Z4 * Z4
     v3 = 2.0 * abs(Z4)
     apart4 = merge_slack1 * (v3 + merge_slack1) < D4
-    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D4):
+    if not (-(reach_slack1 * (v3 + reach_slack1)) < D4):
         return  # out of reach
     w4 = math.sqrt(D4 if apart4 else 0.0)
     s4 = k2 * (a4 * Z4)

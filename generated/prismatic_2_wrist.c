@@ -156,7 +156,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D1 = N1 - Z1 * Z1;
     const double v3 = fabs(Z1), v4 = 2.0 * v3;
     const int apart1 = merge_slack1 * (v4 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v4 + reach_slack1)) <= D1)) return; /* out of reach */
+    if (!(-(reach_slack1 * (v4 + reach_slack1)) < D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v3 * sqrt(N1)));
     const double v5 = v1 * Z1, v6 = v2 * Z1;
@@ -170,7 +170,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D3 = k4 - Z3 * Z3;
     const double v9 = 2.0 * fabs(Z3);
     const int apart3 = merge_slack1 * (merge_slack1 + v9) < D3;
-    if (!(-(reach_slack1 * (reach_slack1 + v9)) <= D3)) return; /* out of reach */
+    if (!(-(reach_slack1 * (reach_slack1 + v9)) < D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
     const double v10 = k2 * Z3, v11 = k3 * Z3;
 

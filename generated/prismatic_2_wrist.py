@@ -192,7 +192,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     v3 = abs(Z1)
     v4 = 2.0 * v3
     apart1 = merge_slack1 * (v4 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v4 + reach_slack1)) <= D1):
+    if not (-(reach_slack1 * (v4 + reach_slack1)) < D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v3 * math.sqrt(N1)))
@@ -207,7 +207,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     D3 = k4 - Z3 * Z3
     v9 = 2.0 * abs(Z3)
     apart3 = merge_slack1 * (merge_slack1 + v9) < D3
-    if not (-(reach_slack1 * (reach_slack1 + v9)) <= D3):
+    if not (-(reach_slack1 * (reach_slack1 + v9)) < D3):
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
     v10, v11 = k2 * Z3, k3 * Z3

@@ -97,7 +97,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D3 = k1 - Z3 * Z3;
     const double v1 = 2.0 * fabs(Z3);
     const int apart3 = merge_slack1 * (v1 + merge_slack1) < D3;
-    if (!(-(reach_slack1 * (v1 + reach_slack1)) <= D3)) return; /* out of reach */
+    if (!(-(reach_slack1 * (v1 + reach_slack1)) < D3)) return; /* out of reach */
     const double w3 = sqrt(apart3 ? D3 : 0.0);
 
     for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */

@@ -120,7 +120,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     D3 = k1 - Z3 * Z3
     v1 = 2.0 * abs(Z3)
     apart3 = merge_slack1 * (v1 + merge_slack1) < D3
-    if not (-(reach_slack1 * (v1 + reach_slack1)) <= D3):
+    if not (-(reach_slack1 * (v1 + reach_slack1)) < D3):
         return  # out of reach
     w3 = math.sqrt(D3 if apart3 else 0.0)
 

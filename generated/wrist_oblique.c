@@ -115,7 +115,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double D1 = N1 - Z1 * Z1;
     const double v2 = fabs(Z1), v3 = 2.0 * v2;
     const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v3 + reach_slack1)) <= D1)) return; /* out of reach */
+    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v2 * sqrt(N1)));
     const double v4 = v1 * Z1, v5 = Y1 * Z1;

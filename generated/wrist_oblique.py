@@ -148,7 +148,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     v2 = abs(Z1)
     v3 = 2.0 * v2
     apart1 = merge_slack1 * (v3 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v3 + reach_slack1)) <= D1):
+    if not (-(reach_slack1 * (v3 + reach_slack1)) < D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v2 * math.sqrt(N1)))

@@ -51,6 +51,9 @@ def reach_of(
 def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
     """Whether D is not negative, up to rounding.
 
+    It is above a bound that grows with the pose, and not equal to it: where squares overflow both
+    are minus infinity.
+
     Where rows are refined, this is as much more as earlier roots that D hangs on are less
     than the arm's size: what they fix has lost as many digits. Where a joint may have another value
     instead, no more: then one that works is looked for.
@@ -62,7 +65,8 @@ def not_below(context: Lowering, discriminant: Node, slack: Node) -> Node:
         if chosen:
             share = builder.select(builder.either(chosen), builder.integer(1), share)
         discriminant = builder.mul(discriminant, share)
-    return builder.apply("at_most", builder.neg(slack), discriminant)
+    grows = builder.entries[slack].value is None
+    return builder.apply("less" if grows else "at_most", builder.neg(slack), discriminant)
 
 
 def follows(context: Lowering, value: Node) -> list[EarlierRoot]:

@@ -295,7 +295,7 @@ class Unguarded:
     def _note_hardly_out(self, condition: Expression, square: Node) -> None:
         """Where rounding of a pose may have put a branch out of reach that rows are refined to."""
         match condition:
-            case Apply("at_most", (lowest, _)) if self._slacks:
+            case Apply("less" | "at_most", (lowest, _)) if self._slacks:
                 builder = self._builder
                 below = builder.apply("less", square, builder.integer(0))
                 limit = self._arithmetic.plain(self._value(lowest))
