@@ -38,14 +38,15 @@ static const double
     longest4_apart = 0.6723999999999786, /* the longest, where branches merge [m^2] */
     shortest4_apart = 0.00040000000000052087, /* the shortest, where branches merge [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
-    straight_limit = 5.353007080137295e-08, /* a stretched arm: its elbow is on either side [m^2] */
+    solved_limit = 8.993529828991507e-08, /* the same of a solution, whose pose is rounded [m^2] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     offset2 = 3.141592653589793, /* offset of joint 2 [rad] */
     offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
     offset6 = 3.141592653589793, /* offset of joint 6 [rad] */
     k1 = 0.336, /* 2 * d5 * d3 [m^2] */
     k2 = 0.33640000000000003, /* d3^2 + d5^2 [m^2] */
-    k3 = 8.857709750566894; /* 1 / (k1^2) [m^-4] */
+    k3 = 8.857709750566894, /* 1 / (k1^2) [m^-4] */
+    straight_limit = 9.271680236073719e-08; /* a stretched arm: its elbow is on either side [m^2] */
 
 #ifndef __CUDACC_RTC__
 const char *const kuka_iiwa14_arm_angle_branches[8] = {
@@ -218,7 +219,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v10 = d5 * v3;
         const double arm_ = sqrt(v10 * v10 + v12);
         const double v13 = 1.0 / arm_, v14 = v10 * v13, v15 = v11 * v13;
-        const double side = -(d5 * (d3 * v3)) < -straight_limit ? -1.0 : 1.0;
+        const double side = -(d5 * (d3 * v3)) < -solved_limit ? -1.0 : 1.0;
         const double v16 = v15 * side, v17 = v14 * side, v18 = gx * v14 + ux * v16;
         const double b13 = nx * side;
         const double v19 = gy * v14 + uy * v16;
@@ -340,8 +341,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v14 = d3 + d5 * v3, v15 = v14 * v14 + v13 * v13, arm_ = dhgen_sqrt_wide(v15),
         v16 = DHGEN_QUOTIENT(1.0, v15), v17 = arm_ * v16, v18 = v13 * v17, v19 = v14 * v17,
         v20 = d5 * (d3 * v5),
-        side_p = dhgen_pick_wide(-v20 < -straight_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
-        side_m = dhgen_pick_wide(v20 < -straight_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
+        side_p = dhgen_pick_wide(-v20 < -solved_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
+        side_m = dhgen_pick_wide(v20 < -solved_limit, dhgen_all_wide(-1.0), dhgen_all_wide(1.0)),
         v21 = v19 * side_p, v22 = v19 * side_m, v23 = v18 * side_p, v24 = v18 * side_m,
         v25 = gx * v18, v26 = gy * v18, v27 = gy * v19, b22_p = v27 - uy * v23,
         b22_m = v27 + uy * v24;
@@ -517,7 +518,7 @@ DHGEN_INLINE int solve_regular(
         ny = v10 * cos_psi + v12 * sin_psi, v13 = d5 * v5, v14 = d3 + d5 * v3,
         v15 = v14 * v14 + v13 * v13, arm_ = sqrt(v15), v16 = DHGEN_QUOTIENT(1.0, v15),
         v17 = arm_ * v16, v18 = v13 * v17, v19 = v14 * v17, v20 = d5 * (d3 * v5);
-    const dhgen_four side = dhgen_pick_four(-(e4 * v20) < -straight_limit, dhgen_all_four(-1.0),
+    const dhgen_four side = dhgen_pick_four(-(e4 * v20) < -solved_limit, dhgen_all_four(-1.0),
         dhgen_all_four(1.0)), v21 = v19 * side, v22 = v18 * side;
     const double v23 = gx * v18, v24 = gy * v18, v25 = gy * v19;
     const dhgen_four b22 = v25 - e4 * (uy * v22);

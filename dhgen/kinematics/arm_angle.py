@@ -9,6 +9,7 @@ for 7-DOF redundant manipulators with joint limits, IEEE Transactions on Robotic
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -92,12 +93,22 @@ def arm_angles(arm: NumericArm, q: FloatArray, *, aside: float, merge: float) ->
     normal = np.cross(w, e)
     if is_planar(arm):
         area = _norm(e) * _norm(found.wrist - found.elbow)
-        straight = np.sqrt(merge * arm.chain.size**2 * area[..., 0])
+        straight = straight_side(arm.chain.size, 1.0, merge) * np.sqrt(area[..., 0])
         behind = found.side < -straight
         normal = np.where(behind[..., None], -found.fourth, found.fourth)
     u = np.cross(normal, w)
     sine, cosine = _norm(w)[..., 0] * np.sum(u * b, axis=-1), np.sum(u * a, axis=-1)
     return np.asarray(np.arctan2(sine, cosine))
+
+
+def straight_side(size: float, area: float, merge: float) -> float:
+    """The side of an elbow below which its two angles may be merged: the arm is straight there.
+
+    They are merged nearer than d = merge * size to the longest reach L: for sides below the root of
+    2 L d A, where A is upper arm times forearm. L is the size at most. A half more in the square is
+    beyond what rounding adds to a pose.
+    """
+    return math.sqrt(3.0 * merge * area) * size
 
 
 def elbow_rates(arm: NumericArm, q: FloatArray) -> FloatArray:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 ELBOW = 3  # the joint of the elbow, from 0
 UPRIGHT = 1e-12  # sine between axis 1 and the arm, below which the plane between them is lost
-STRAIGHT = 1e-7  # root of an area, in arm sizes, below which the elbow is on no side
+STRAIGHT = np.sqrt(3.0) * 1e-7  # root of an area, in arm sizes, below which the elbow is on no side
 
 
 def given_values(robot: Robot, q: FloatArray) -> FloatArray:

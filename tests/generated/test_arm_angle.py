@@ -90,6 +90,22 @@ def test_a_stretched_arm_keeps_its_arm_angle() -> None:
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_nearly_stretched_arm_is_found_again(side: float) -> None:
+    """Where its two elbows merge, and where it has a side, are two places; between, it was lost."""
+    asked = trial(IIWA)
+    for bent in np.concatenate([np.geomspace(1e-8, 1e-5, 61), np.linspace(3e-7, 6e-7, 101)]):
+        q = random_joints(robot(IIWA), 5, seed=87)
+        q[:, [1, 5]] = 0.3 + 0.5 * np.abs(q[:, [1, 5]])  # of other joints, none is singular
+        q[:, 3] = side * bent
+        psi = [library(IIWA).arm_angle(each) for each in q]
+        for joints, T, angle in zip(q, asked.poses(q), psi, strict=True):
+            assert asked.apart(solved(IIWA, T, angle), joints).min() < 2e-6
+            values = np.array([angle])
+            rows, status = short_module(IIWA).ik_all(T, values, joints)
+            assert asked.apart(rows[np.isin(status, HELD)], joints).min() < 2e-6
+
+
+@pytest.mark.parametrize("side", [1.0, -1.0])
 @pytest.mark.parametrize("off", [0.0, 1e-13, 1e-9, 1e-6])
 def test_a_wrist_above_or_below_the_shoulder(side: float, off: float) -> None:
     """There the plane of axis 1 and the arm is lost; angles count from x of the base."""

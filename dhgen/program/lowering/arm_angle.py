@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
-from dhgen.kinematics.arm_angle import wrist_in_tool
+from dhgen.kinematics.arm_angle import straight_side, wrist_in_tool
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.program.building.tolerance_constants import tolerance_constant
@@ -25,6 +24,8 @@ if TYPE_CHECKING:
     from dhgen.tolerances import Tolerances
 
     Vector = list[Node]
+
+ROUNDED = 0.97  # how much of an elbow's side rounding of the pose leaves where branches merge
 
 
 def arm_angle_program(
@@ -143,12 +144,22 @@ def _wrist(builder: Builder, chain: Chain) -> Vector:
     return found
 
 
-def straight_limit(builder: Builder, chain: Chain, plane: ArmPlane, tolerances: Tolerances) -> Node:
-    """The elbow's side where the arm is as good as stretched: where its two angles are merged.
+def straight_limit(
+    builder: Builder, chain: Chain, plane: ArmPlane, tolerances: Tolerances, *, solved: bool = False
+) -> Node:
+    """The elbow's side up to which the arm is as good as stretched.
 
-    They are for (2 A)^2 - Z^2 < 2 d |Z|, with A the plane's area and d what merges squared lengths;
-    the side s of the elbow is half of the root of the left-hand side.
+    Args:
+        builder: Where the constant goes.
+        chain: The arm.
+        plane: Its shoulder, elbow and wrist.
+        tolerances: Of the arithmetic that the program is for.
+        solved: Whether the side is that of a solution: joint values that have a side have one
+            also as a solution, whatever rounding has made of their pose.
     """
-    value = math.sqrt(tolerances.merge * chain.size**2 * plane.area)
+    value = straight_side(chain.size, plane.area, tolerances.merge)
+    if solved:
+        meaning = "the same of a solution, whose pose is rounded"
+        return builder.constant("solved_limit", ROUNDED * value, meaning, 2, Tolerance("solved", 2))
     meaning = "a stretched arm: its elbow is on either side"
     return builder.constant("straight_limit", value, meaning, 2, Tolerance("straight", 2))

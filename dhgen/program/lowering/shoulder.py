@@ -103,7 +103,7 @@ def _side(context: Lowering, plane: ArmPlane) -> Node:
     builder = context.builder
     parts = [f * n for f, n in zip(plane.fourth, plane.normal, strict=True)]
     bent = builder.name(context.lower(context.normal(sum(parts[1:], parts[0]))), "bent")
-    limit = straight_limit(builder, context.chain, plane, context.scales.tolerances)
+    limit = straight_limit(builder, context.chain, plane, context.scales.tolerances, solved=True)
     behind = builder.apply("less", bent, builder.neg(limit))
     side = builder.select(behind, builder.integer(-1), builder.integer(1))
     return builder.name(side, "side")
