@@ -5,22 +5,6 @@
 #ifndef DHGEN_FUNCTIONS_CALIBRATED_H
 #define DHGEN_FUNCTIONS_CALIBRATED_H
 
-/* Regular poses: what the caller gives is the arm. Returns how many rows are OK, or -1 if the pose
- * has to be left to `solve`. */
-DHGEN_FN int solve_certain(
-    const double *T, const double *free_joints, double *q, unsigned char *status)
-{
-    return dhgen_certain_rows(&kind, dhgen_handed_arm(free_joints), T, q, status);
-}
-
-/* Fills the rows that have a solution, and no others. */
-DHGEN_FN void solve(const double *T, const double *free_joints, const double *seed, double moved,
-    double *q, unsigned char *status)
-{
-    (void)moved;
-    dhgen_calibrated_rows(&kind, dhgen_handed_arm(free_joints), T, seed, q, status);
-}
-
 DHGEN_PUBLIC int DHGEN_NAME(calibrate)(const double *table, dhgen_calibration *arm)
 {
     return dhgen_calibrate(&kind, table, arm);

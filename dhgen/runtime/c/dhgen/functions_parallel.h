@@ -25,7 +25,7 @@ DHGEN_PUBLIC void DHGEN_NAME(ik_batch)(size_t n, const double *T, double *q, uns
     dhgen_parallel_batch(&robot, n, T, q, status);
 }
 
-DHGEN_FN int one_pose(const double *T, double *q, unsigned char *status)
+DHGEN_FN int dhgen_drives_of_pose(const double *T, double *q, unsigned char *status)
 {
     return dhgen_parallel_drives(&robot, &lanes, solve_driven, T, q, status);
 }
@@ -34,13 +34,14 @@ DHGEN_PUBLIC int DHGEN_NAME(ik_drives)(const double T[16],
     double q[DHGEN_LEGS][DHGEN_LEG_ROWS][DHGEN_LEG_DRIVES],
     unsigned char status[DHGEN_LEGS][DHGEN_LEG_ROWS])
 {
-    return one_pose(T, &q[0][0][0], &status[0][0]);
+    return dhgen_drives_of_pose(T, &q[0][0][0], &status[0][0]);
 }
 
 DHGEN_PUBLIC void DHGEN_NAME(ik_drives_batch)(
     size_t n, const double *T, double *q, unsigned char *status)
 {
-    dhgen_parallel_drives_batch(&robot, &lanes, solve_driven, one_pose, n, T, q, status);
+    dhgen_parallel_drives_batch(
+        &robot, &lanes, solve_driven, dhgen_drives_of_pose, n, T, q, status);
 }
 
 DHGEN_PUBLIC void DHGEN_NAME(take_drives)(const double *q, double drives[DHGEN_DRIVES])
