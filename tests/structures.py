@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
     from pathlib import Path
 
-    from _pytest.mark import ParameterSet
+    from _pytest.mark import MarkDecorator, ParameterSet
 
 BREADTH = pytest.mark.breadth  # once before a release: see pyproject.toml
 
@@ -86,10 +86,7 @@ def first_of(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
             first ones fail where any does.
         count: How many of them always run.
     """
-    values = [case if isinstance(case, tuple) else (case,) for case in cases]
-    return [
-        pytest.param(*each, marks=BREADTH if k >= count else ()) for k, each in enumerate(values)
-    ]
+    return _marked(cases, count, BREADTH)
 
 
 def quick_first(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
@@ -99,8 +96,10 @@ def quick_first(cases: Iterable[Any], count: int = 1) -> list[ParameterSet]:
         cases: As for first_of; those behind the first ones take seconds each.
         count: How many of them run in every call of pytest.
     """
+    return _marked(cases, count, pytest.mark.slow)
+
+
+def _marked(cases: Iterable[Any], count: int, mark: MarkDecorator) -> list[ParameterSet]:
+    """All cases, those behind the first ones with a mark."""
     values = [case if isinstance(case, tuple) else (case,) for case in cases]
-    return [
-        pytest.param(*each, marks=pytest.mark.slow if k >= count else ())
-        for k, each in enumerate(values)
-    ]
+    return [pytest.param(*each, marks=mark if k >= count else ()) for k, each in enumerate(values)]
