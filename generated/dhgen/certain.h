@@ -6,6 +6,7 @@
 #define DHGEN_CERTAIN_H
 
 #include "arm.h"
+#include "general/lanes.h"
 #include "limits.h"
 #include "numerical/arm.h"
 
@@ -36,6 +37,44 @@ DHGEN_FN int dhgen_limited_row(const struct dhgen_arm *arm, double *q)
     return status;
 }
 
+/* Joints filled up to whole lanes. */
+#define DHGEN_PADDED_JOINTS \
+    ((DHGEN_DOF + DHGEN_GENERAL_LANES - 1) / DHGEN_GENERAL_LANES * DHGEN_GENERAL_LANES)
+
+/* Limits of joints; of those that fill lanes there are none. */
+typedef struct {
+    double lowest[DHGEN_PADDED_JOINTS], highest[DHGEN_PADDED_JOINTS];
+} dhgen_padded_limits;
+
+DHGEN_FN void dhgen_pad_limits(const struct dhgen_arm *arm, dhgen_padded_limits *limits)
+{
+    for (int i = 0; i < DHGEN_PADDED_JOINTS; i++) {
+        limits->lowest[i] = i < DHGEN_DOF ? arm->joints[i].lowest : -HUGE_VAL;
+        limits->highest[i] = i < DHGEN_DOF ? arm->joints[i].highest : HUGE_VAL;
+    }
+}
+
+/* The status of a row of which each joint is inside its limits as it is, or, turned or not, farther
+ * away from there than any that is moved; -1 for others. Reads what lies behind the row, up to
+ * whole lanes. */
+DHGEN_INLINE int dhgen_plain_status(const dhgen_padded_limits *limits, const double *q)
+{
+    const dhgen_lane zero = { 0 };
+    int is_outside = 0, is_close = 0;
+    for (int i = 0; i < DHGEN_PADDED_JOINTS; i += DHGEN_GENERAL_LANES) {
+        const dhgen_lane x = DHGEN_LOAD(q + i);
+        const dhgen_lane below = DHGEN_LOAD(limits->lowest + i) - x,
+                         above = x - DHGEN_LOAD(limits->highest + i);
+        const dhgen_lane beyond = dhgen_lane_max(below, above);
+        const dhgen_lane turned = dhgen_lane_min(below, above) + DHGEN_TURN;
+        const dhgen_lane off = dhgen_lane_min(beyond, turned);
+        is_outside |= dhgen_lane_any_above(beyond, zero);
+        is_close |= dhgen_lane_any_above(
+            zero + DHGEN_DOUBTFUL, dhgen_lane_select(beyond > 0.0, off, zero + HUGE_VAL));
+    }
+    return !is_outside ? DHGEN_OK : is_close ? -1 : DHGEN_OUT_OF_LIMITS;
+}
+
 /* Fills the rows of solutions, and no others. */
 DHGEN_FN void dhgen_keep_certain(
     double (*solution)[DHGEN_DOF], const int *row, int count, double *q, unsigned char *status)
@@ -47,17 +86,23 @@ DHGEN_FN void dhgen_keep_certain(
     }
 }
 
-/* Fills the rows of a pose with solutions, of which each has its own. Returns how many are inside
- * limits, or -1 where one of them may be moved to a limit. */
+/* Fills the rows of a pose with solutions, of which each has its own; there is room for one more.
+ * Returns how many are inside limits, or -1 where one of them may be moved to a limit. */
 DHGEN_FN int dhgen_fill_certain(const struct dhgen_arm *arm, double (*solution)[DHGEN_DOF],
     const int *row, int count, double *q, unsigned char *status)
 {
+    dhgen_padded_limits limits;
     int inside = 0;
+    dhgen_pad_limits(arm, &limits);
+    for (int i = 0; i < DHGEN_DOF; i++)
+        solution[count][i] = 0.0;
     for (int k = 0; k < DHGEN_ROWS; k++)
         dhgen_empty_row(arm, q + DHGEN_DOF * k, status + k);
     dhgen_keep_certain(solution, row, count, q, status);
     for (int k = 0; k < count; k++) {
-        const int found = dhgen_limited_row(arm, q + DHGEN_DOF * row[k]);
+        int found = dhgen_plain_status(&limits, solution[k]);
+        if (found < 0)
+            found = dhgen_limited_row(arm, q + DHGEN_DOF * row[k]);
         if (found < 0)
             return -1;
         status[row[k]] = (unsigned char)found;

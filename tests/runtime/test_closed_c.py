@@ -112,6 +112,36 @@ def test_a_range_of_nearly_a_turn_has_ends_that_no_turn_leads_across() -> None:
     assert near == pytest.approx(TURN - 3.14)  # at the end where the seed is
 
 
+@pytest.mark.parametrize("build", BUILDS)
+@pytest.mark.parametrize(
+    ("low", "high", "told"),
+    [
+        (-2.0, 2.0, {OK, OUT_OF_LIMITS}),
+        (-3.1, 3.1, {OK, OUT_OF_LIMITS}),
+        (-4.0, 6.0, {OK}),
+        (-9.0, -7.0, {OUT_OF_LIMITS}),
+        (20.0, 22.0, set()),
+    ],
+)
+def test_a_status_from_lanes_is_that_of_the_row(
+    build: str, low: float, high: float, told: set[int]
+) -> None:
+    """Rows are left of which a joint turns, or is next to an end."""
+    own, rng, found = library(build), np.random.default_rng(3), set()
+    own.set_arm(COORDINATES, int(high - low > TURN), ctypes.c_double(low), ctypes.c_double(high))
+    ends = np.array([low, high]) + TURN * np.arange(-4, 5)[:, None]
+    beside = ends + rng.choice([-0.02, -5e-5, 5e-5, 0.02], ends.shape)
+    values = np.concatenate([beside.ravel(), rng.uniform(-np.pi, np.pi, 200)])
+    for value in values[np.abs(values) <= np.pi]:
+        row = rows([value, 0.3], [9.0, 9.0], [np.nan, np.nan], [9.0, 9.0])
+        status, moved = own.run_plain_status(_argument(row)), row[0].copy()
+        if status >= 0:
+            assert status == own.run_limited_row(_argument(moved))
+            assert (moved == row[0]).all()
+            found.add(status)
+    assert found == told
+
+
 def test_a_quotient_from_an_estimate_is_right_but_for_its_last_place() -> None:
     """Of the estimate six digits are right, as a GPU's are."""
     rng = np.random.default_rng(8)

@@ -244,11 +244,14 @@ DHGEN_FN void dhgen_correct_angles(
                   now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
         double values[6][DHGEN_GENERAL_LANES], miss[DHGEN_GENERAL_LANES];
         dhgen_lane a[6], c[6], s[6];
+        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+            const double *row = angle[from + (k < now ? k : 0)];
+            for (int i = 0; i < 6; i++) {
+                values[i][k] = row[i];
+            }
+        }
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
-            for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-                values[i][k] = angle[from + (k < now ? k : 0)][i];
-            }
             a[i] = DHGEN_LOAD(values[i]);
             dhgen_lane x, y;
             dhgen_lane_direction(a[i], &x, &y);

@@ -130,7 +130,7 @@ DHGEN_FN int dhgen_near_rows(const struct dhgen_arm *arm, const dhgen_general_ar
     dhgen_nearest_rows *solve, const double *T, const double *free_joints, double *q,
     unsigned char *status)
 {
-    double solution[DHGEN_ROWS][DHGEN_DOF];
+    double solution[DHGEN_ROWS + 1][DHGEN_DOF];
     int row[DHGEN_ROWS];
     const int count =
         dhgen_solved_from_nearest(general, descents, nearest, solve, T, free_joints, solution, row);

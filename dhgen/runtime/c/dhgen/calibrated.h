@@ -91,7 +91,7 @@ DHGEN_FN int dhgen_certain_rows(const dhgen_kind *kind, const dhgen_calibration 
     const double *T, double *q, unsigned char *status)
 {
     const dhgen_general_arm general = dhgen_general_arm_of(kind, of);
-    double solution[DHGEN_ROWS][6];
+    double solution[DHGEN_ROWS + 1][6];
     int row[DHGEN_ROWS] = { 0 };
     const int count = dhgen_solved_from_nominal(kind, of, &general, T, solution, row);
     return count < 0 ? -1 : dhgen_fill_certain(kind->arm, solution, row, count, q, status);
