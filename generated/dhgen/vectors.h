@@ -68,9 +68,6 @@ DHGEN_INLINE dhgen_four dhgen_four_of(double a, double b, double c, double d)
 
 #if defined(__AVX512F__) && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define DHGEN_LANES 8
-/* All lanes: g++ 12 warns inside its own headers of what has no mask, and makes the same of both.
- */
-#define DHGEN_EACH (__mmask8)0xff
 typedef double dhgen_wide __attribute__((vector_size(64)));
 typedef __typeof__(*(dhgen_wide *)0 < *(dhgen_wide *)0) dhgen_wide_mask;
 

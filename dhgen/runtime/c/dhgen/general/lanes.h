@@ -25,9 +25,6 @@
 #if DHGEN_GENERAL_LANES > 1 && defined(__SSE2__)
 #include <immintrin.h>
 #endif
-/* All lanes of 8: g++ 12 warns inside its own headers of what has no mask, and makes the same of
- * both. */
-#define DHGEN_GENERAL_EACH (__mmask8)0xff
 
 /* Added to what is divided by, so that the quotient stays finite; it changes no number that is not
  * next to nothing itself. */
@@ -111,7 +108,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_facing(dhgen_lane x, dhgen_lane y)
 DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
 {
 #if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
-    return (dhgen_lane)_mm512_maskz_sqrt_pd(DHGEN_GENERAL_EACH, (__m512d)x);
+    return (dhgen_lane)_mm512_maskz_sqrt_pd(DHGEN_EACH, (__m512d)x);
 #elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
     return (dhgen_lane)_mm256_sqrt_pd((__m256d)x);
 #elif DHGEN_GENERAL_LANES == 2 && defined(__SSE2__)
@@ -174,7 +171,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_all(double x)
 DHGEN_INLINE dhgen_lane dhgen_lane_max(dhgen_lane a, dhgen_lane b)
 {
 #if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
-    return (dhgen_lane)_mm512_maskz_max_pd(DHGEN_GENERAL_EACH, (__m512d)a, (__m512d)b);
+    return (dhgen_lane)_mm512_maskz_max_pd(DHGEN_EACH, (__m512d)a, (__m512d)b);
 #elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
     return (dhgen_lane)_mm256_max_pd((__m256d)a, (__m256d)b);
 #else
@@ -185,7 +182,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_max(dhgen_lane a, dhgen_lane b)
 DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
 {
 #if DHGEN_GENERAL_LANES == 8 && defined(__AVX512F__)
-    return (dhgen_lane)_mm512_maskz_min_pd(DHGEN_GENERAL_EACH, (__m512d)a, (__m512d)b);
+    return (dhgen_lane)_mm512_maskz_min_pd(DHGEN_EACH, (__m512d)a, (__m512d)b);
 #elif DHGEN_GENERAL_LANES == 4 && defined(__AVX__)
     return (dhgen_lane)_mm256_min_pd((__m256d)a, (__m256d)b);
 #else
