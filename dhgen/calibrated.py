@@ -58,13 +58,13 @@ def kind_of(robot: Robot, nominal: SolverModule, reserved: Reserved) -> Kind:
     whole = regular(nominal.solver)
     own = None if whole is None else certified(whole, 0, frozenset())
     if own is None:
-        raise _refusal(robot, "where rows of its closed form end has no bound")
+        raise _unsolved(robot, "where rows of its closed form end has no bound")
     name = robot.name + FLEET
     text = _file(name, nominal.chain, table)
     one = replace(build_chain(load_text(text, name)), size=nominal.chain.size)
     derivation = derive(one)
     if derivation.method is not Method.GENERAL_6R:
-        raise _refusal(robot, "what is near it is not solved by the general algorithm")
+        raise _unsolved(robot, "what is near it is not solved by the general algorithm")
     precision = nominal.precision
     solver = lower(derivation, precision.tolerances, reserved)
     programs = robot_programs(derivation, solver, name, precision.tolerances, reserved)
@@ -88,29 +88,29 @@ def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None
     """Stops where an arm has no table of six turning joints, or another method."""
     chain = nominal.chain
     if table.convention == AXES:
-        raise _refusal(robot, "it is given by axes")
+        raise _unsolved(robot, "it is given by axes")
     if chain.dof != JOINTS or not all(chain.turning):
-        raise _refusal(robot, "it has other joints than six that turn")
+        raise _unsolved(robot, "it has other joints than six that turn")
     if robot.free:
         joints = "joint" if len(robot.free) == 1 else "joints"
         listed = ", ".join(map(str, robot.free))
-        raise _refusal(
+        raise _unsolved(
             robot, f"the caller gives {joints} {listed} (free), and all six are to be solved for"
         )
     if chain.task.kind is not TaskKind.POSE:
-        raise _refusal(robot, "it is not asked for poses alone")
+        raise _unsolved(robot, "it is not asked for poses alone")
     if robot.is_coupled:
-        raise _refusal(robot, "its drives are coupled, or sums of them limited")
+        raise _unsolved(robot, "its drives are coupled, or sums of them limited")
     if robot.plain:
-        raise _refusal(robot, "it is plain, without what goes before the general algorithm")
+        raise _unsolved(robot, "it is plain, without what goes before the general algorithm")
     if nominal.method is not Method.CLOSED_FORM:
-        raise _refusal(robot, f"its own method is {nominal.method}, no closed form")
+        raise _unsolved(robot, f"its own method is {nominal.method}, no closed form")
     within = EXACT * chain.size
     if not any(each.tilt < EXACT or each.miss < within for each in axis_triples(chain)):
-        raise _refusal(robot, "no three of its axes side by side are parallel, or meet")
+        raise _unsolved(robot, "no three of its axes side by side are parallel, or meet")
 
 
-def _refusal(robot: Robot, reason: str) -> UnsolvedError:
+def _unsolved(robot: Robot, reason: str) -> UnsolvedError:
     advice = "leave calibration out, and make a robot file of each arm by `dhgen calibrate`"
     return UnsolvedError(f"{robot.name}: tables can't come at run time: {reason}; {advice}")
 

@@ -79,10 +79,10 @@ class _Reader:
         if document.has(ORIGINS) == document.has(DELTAS):
             if document.has(DELTAS):
                 message = f"a calibration holds {ORIGINS} or {DELTAS}, not both"
-                raise RobotFileError((document.source.point(span_of(document.root), message),))
+                raise document.source.refused(span_of(document.root), message)
             wanted = f"a calibration holds {ORIGINS}: (of each joint x, y, z, roll, pitch, yaw) or "
             message = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
-            raise RobotFileError((document.source.point(span_of(document.root), message),))
+            raise document.source.refused(span_of(document.root), message)
         is_deltas = document.has(DELTAS)
         node = document.find((DELTAS if is_deltas else ORIGINS,))[1]
         rows = self._deltas(node) if is_deltas else self._origins(node)

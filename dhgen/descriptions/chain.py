@@ -70,7 +70,8 @@ def choose_chain(description: Description, base: str | None, tip: str | None) ->
     for option, link in (("--base", base), ("--tip", tip)):
         if link is not None and link != description.root and link not in description.joints:
             hint = nearest(link, (description.root, *description.joints))
-            raise _refusal(description, f"{option}: there is no link {quoted(link)}{hint}")
+            message = f"{option}: there is no link {quoted(link)}{hint}"
+            raise refused(description.source.file, message)
     end = tip if tip is not None else _longest(description, base)
     joints = description.joints_to(end)
     if base is not None:
@@ -130,11 +131,12 @@ def _longest(description: Description, base: str | None) -> str:
         ends = {end: n for end, n in ends.items() if _is_on_the_way(description, base, end)}
     if not ends:
         where = f" beyond {quoted(base)}" if base is not None else ""
-        raise _refusal(description, f"no joint{where} moves an arm: name its end with --tip LINK")
+        message = f"no joint{where} moves an arm: name its end with --tip LINK"
+        raise refused(description.source.file, message)
     most = max(ends.values())
     best = sorted(end for end, count in ends.items() if count == most)
     if len(best) > 1:
-        raise _refusal(description, _tie(description, best, most))
+        raise refused(description.source.file, _tie(description, best, most))
     return best[0]
 
 
@@ -165,7 +167,7 @@ def _from_base(
     way = (description.root, *(joint.child for joint in joints))
     shown = ", ".join(map(quoted, way[:12])) + (", ..." if len(way) > 12 else "")
     message = f"{quoted(base)} is not on the way to {quoted(end)}, which is {shown}"
-    raise _refusal(description, message)
+    raise refused(description.source.file, message)
 
 
 def _from_first_moving(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
@@ -231,9 +233,10 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
         raise RobotFileError(tuple(mistakes))
     if not chain.actuated:
         between = f"between {quoted(chain.base)} and {quoted(chain.tip)}"
-        raise _refusal(description, f"nothing moves {between}")
+        raise refused(description.source.file, f"nothing moves {between}")
     if len(chain.actuated) > MAX_JOINTS:
-        raise _refusal(description, f"{len(chain.actuated)} joints: at most {MAX_JOINTS} are read")
+        message = f"{len(chain.actuated)} joints: at most {MAX_JOINTS} are read"
+        raise refused(description.source.file, message)
 
 
 def _passive_notes(passive: tuple[Joint, ...], end: str) -> list[str]:
@@ -311,7 +314,3 @@ def _count(children: dict[str, list[Joint]], first: Joint) -> int:
         count += joint.motion.is_actuated
         waiting += children.get(joint.child, ())
     return count
-
-
-def _refusal(description: Description, message: str) -> RobotFileError:
-    return refused(description.source.file, message)

@@ -105,33 +105,29 @@ class _Reader:
             self.parser.Parse(self.content, True)  # noqa: FBT003 - it is the last part
         except expat.ExpatError as error:
             reason = expat.errors.messages[error.code]
-            raise self._refusal(
-                f"this is not well-formed XML: {reason}", error.lineno, error.offset
-            ) from None
+            place = self._place(error.lineno, error.offset)
+            raise self.source.refused(place, f"this is not well-formed XML: {reason}") from None
         except (ValueError, LookupError) as error:  # an encoding that Python lacks
-            raise self._refusal(f"this is not readable XML: {error}", 1, 0) from None
+            raise self.source.refused(Span(0), f"this is not readable XML: {error}") from None
         assert self.root is not None
         return self.root
 
-    def _here(self, line: int, column: int) -> Span:
+    def _place(self, line: int, column: int) -> Span:
         starts = self.source.starts
         return Span(starts[min(line, len(starts)) - 1] + column)
 
-    def _refusal(self, message: str, line: int, column: int) -> RobotFileError:
-        return RobotFileError((self.source.point(self._here(line, column), message),))
-
-    def _now(self) -> tuple[int, int]:
-        return self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber
+    def _here(self) -> Span:
+        return self._place(self.parser.CurrentLineNumber, self.parser.CurrentColumnNumber)
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         if len(self.open) >= MAX_DEPTH:
             message = f"elements are nested too deeply: at most {MAX_DEPTH} are inside each other"
-            raise self._refusal(message, *self._now())
+            raise self.source.refused(self._here(), message)
         self.count += 1
         if self.count > MAX_ELEMENTS:
             message = f"there are too many elements: a robot description has at most {MAX_ELEMENTS}"
-            raise self._refusal(message, *self._now())
-        place = self._here(*self._now())
+            raise self.source.refused(self._here(), message)
+        place = self._here()
         element = Element(tag, attributes, Span(place.start, len(tag) + 1))
         if self.open:
             self.open[-1].children.append(element)
@@ -144,4 +140,4 @@ class _Reader:
 
     def _doctype(self, *_: object) -> None:
         message = "a robot description has no DOCTYPE: entities are not read, remove it"
-        raise self._refusal(message, *self._now())
+        raise self.source.refused(self._here(), message)

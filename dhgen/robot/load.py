@@ -9,7 +9,7 @@ import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
-from dhgen.errors import Diagnostic, RobotFileError
+from dhgen.errors import RobotFileError, refused
 from dhgen.robot.assemble import assemble
 from dhgen.robot.reader import MAX_BYTES, read_document
 from dhgen.robot.report import Report
@@ -57,20 +57,18 @@ def read_text(path: str | os.PathLike[str]) -> str:
             content = file.read(MAX_BYTES + 1)
     except IsADirectoryError:
         files = f"{shlex.quote(str(Path(path)))}/*.yaml"
-        raise _refusal(
-            Diagnostic(name, 0, 0, f"this is a folder; name the files in it: {files}")
-        ) from None
+        raise refused(name, f"this is a folder; name the files in it: {files}") from None
     except (OSError, ValueError) as error:
         reason = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-        raise _refusal(Diagnostic(name, 0, 0, f"the file can't be read: {reason}")) from None
+        raise refused(name, f"the file can't be read: {reason}") from None
     if what := kind_of_xml(content):
-        raise _refusal(Diagnostic(name, 0, 0, f"this is {what}; a robot file is YAML"))
+        raise refused(name, f"this is {what}; a robot file is YAML")
     if len(content) > MAX_BYTES:
-        raise _refusal(Diagnostic(name, 0, 0, f"a robot file has at most {MAX_BYTES // 1024} KiB"))
+        raise refused(name, f"a robot file has at most {MAX_BYTES // 1024} KiB")
     try:
         return content.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise _refusal(_no_utf8(content, name, error.start)) from None
+        raise _no_utf8(content, name, error.start) from None
 
 
 def load_text(text: str, file_name: str) -> Robot:
@@ -131,16 +129,12 @@ def is_description(path: Path) -> bool:
         return False
 
 
-def _no_utf8(content: bytes, name: str, start: int) -> Diagnostic:
-    """The message for a file that is not UTF-8 from some byte on; one without lines shows none."""
+def _no_utf8(content: bytes, name: str, start: int) -> RobotFileError:
+    """What is raised for a file that is not UTF-8 from some byte on; a text shows the place."""
     if content.startswith(_UTF_16):
-        return Diagnostic(name, 0, 0, "the file is UTF-16: save it as UTF-8")
+        return refused(name, "the file is UTF-16: save it as UTF-8")
     if _BINARY.search(content):
-        return Diagnostic(name, 0, 0, "this is not text; a robot file is YAML")
+        return refused(name, "this is not text; a robot file is YAML")
     source = SourceText.of(content.decode("utf-8", "replace"), name)
     place = Span(len(content[:start].decode("utf-8")))
-    return source.point(place, "the file is not UTF-8: save it as UTF-8")
-
-
-def _refusal(diagnostic: Diagnostic) -> RobotFileError:
-    return RobotFileError((diagnostic,))
+    return source.refused(place, "the file is not UTF-8: save it as UTF-8")

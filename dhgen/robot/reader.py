@@ -117,7 +117,7 @@ def read_document(source: SourceText) -> Document:
         root = YAML(typ="safe", pure=True).compose(text)
     except MarkedYAMLError as error:
         if _is_table(text):
-            raise RobotFileError((source.point(Span(0), _TABLE),)) from None
+            raise source.refused(Span(0), _TABLE) from None
         raise RobotFileError(syntax_errors(source, error, _check_events)) from None
     except YAMLError as error:
         raise refused(source.file, f"not valid YAML: {error}") from None
@@ -127,7 +127,7 @@ def read_document(source: SourceText) -> Document:
         raise refused(source.file, "the file is empty")
     if not isinstance(root, MappingNode):
         message = _TABLE if _is_table(text) else missing_blank(str(root.value)) or _KEYS
-        raise RobotFileError((source.point(span_of(root), message),))
+        raise source.refused(span_of(root), message)
     pairs, mistakes = index_pairs(source, root)
     return Document(source, root, pairs, tuple(mistakes))
 
@@ -138,7 +138,7 @@ def _check_characters(source: SourceText) -> None:
     found = _FORBIDDEN.search(source.text)
     if found:
         message = f"the character U+{ord(found[0]):04X} is not allowed in a robot file"
-        raise RobotFileError((source.point(Span(found.start()), message),))
+        raise source.refused(Span(found.start()), message)
 
 
 def _check_events(source: SourceText) -> None:
@@ -148,7 +148,7 @@ def _check_events(source: SourceText) -> None:
     for count, event in enumerate(events):
         depth += isinstance(event, CollectionStartEvent) - isinstance(event, CollectionEndEvent)
         documents += isinstance(event, DocumentStartEvent)
-        message = _refusal(event)
+        message = _why_not_allowed(event)
         if count > MAX_EVENTS:
             message = "more keys and values than any robot has"
         elif depth > MAX_DEPTH:
@@ -159,10 +159,10 @@ def _check_events(source: SourceText) -> None:
             message = _LIST
         if message:
             width = event.end_mark.index - event.start_mark.index
-            raise RobotFileError((source.point(Span(event.start_mark.index, width), message),))
+            raise source.refused(Span(event.start_mark.index, width), message)
 
 
-def _refusal(event: Event) -> str | None:
+def _why_not_allowed(event: Event) -> str | None:
     """Why a robot file can't hold this, or None."""
     match event:
         case AliasEvent():

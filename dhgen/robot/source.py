@@ -6,7 +6,7 @@ import bisect
 import re
 from dataclasses import dataclass
 
-from dhgen.errors import Diagnostic
+from dhgen.errors import Diagnostic, RobotFileError
 
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _LONGEST_SHOWN = 120
@@ -59,6 +59,10 @@ class SourceText:
         shown = _printable(line[:_LONGEST_SHOWN]) if column < _LONGEST_SHOWN else ""
         width = max(1, min(span.width, len(shown) - column))
         return Diagnostic(self.file, number + 1, column + 1, message, shown, width)
+
+    def refused(self, span: Span, message: str) -> RobotFileError:
+        """What is raised for the whole text, with the place that shows why."""
+        return RobotFileError((self.point(span, message),))
 
 
 def quoted(text: str) -> str:
