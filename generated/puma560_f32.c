@@ -108,6 +108,10 @@
 #endif
 #endif
 
+/* The mask of all 8 lanes: g++ 12 warns inside its own headers of what has none, and makes the same
+ * of both. */
+#define DHGEN_EACH (__mmask8)0xff
+
 /* What is no solution. */
 #define DHGEN_NAN ((float)NAN)
 
@@ -1511,6 +1515,22 @@ DHGEN_API void dhgen_joint_velocities(
  * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
  * no `dhgen_four`. With -DDHGEN_LIBM the arctangents are those of <math.h>, too. */
 
+/* atan r = r + r^3 (a[0] + a[1] r^2 ...), |r| <= tan(pi/8) */
+
+
+DHGEN_TABLE float dhgen_arctangent[11] = {
+    -0.33333334f,
+    0.2f,
+    -0.14285715f,
+    0.11111111f,
+    -0.09090905f,
+    0.07692183f,
+    -0.0666451f,
+    0.058581363f,
+    -0.050853834f,
+    0.039229743f,
+    -0.019174544f,
+};
 /* Quotients in the fast path: in C what is written. In CUDA a division's rare cases cost more than
  * all else, registers and branches, so there they are left out: what is divided by must be neither
  * subnormal nor above 1e307. Poses at which it is are left to the careful functions. */
@@ -1544,23 +1564,6 @@ DHGEN_INLINE float dhgen_quotient(float a, float b)
 #else
 #define DHGEN_UNROLLED
 #define DHGEN_WRITTEN_OUT
-#endif
-
-#ifndef DHGEN_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-DHGEN_TABLE float dhgen_odd[11] = {
-    -0.33333334f,
-    0.2f,
-    -0.14285715f,
-    0.11111111f,
-    -0.09090905f,
-    0.07692183f,
-    -0.0666451f,
-    0.058581363f,
-    -0.050853834f,
-    0.039229743f,
-    -0.019174544f,
-};
 #endif
 
 /* The ends of a joint's range, with the slack of its limits. */
@@ -1729,7 +1732,7 @@ DHGEN_INLINE DHGEN_OF(direction) DHGEN_OF(ratio)(DHGEN_VECTOR y, DHGEN_VECTOR x)
 
 DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(angle)(DHGEN_OF(direction) of)
 {
-    const float *const odd = dhgen_odd;
+    const float *const odd = dhgen_arctangent;
     const DHGEN_VECTOR r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2;
     const DHGEN_VECTOR p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const DHGEN_VECTOR p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;

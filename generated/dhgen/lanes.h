@@ -8,6 +8,7 @@
 #define DHGEN_LANES_H
 
 #include "arm.h"
+#include "arctangent_series.h"
 #include "quotient.h"
 #include "tolerances.h"
 
@@ -20,23 +21,6 @@
 #else
 #define DHGEN_UNROLLED
 #define DHGEN_WRITTEN_OUT
-#endif
-
-#ifndef DHGEN_LIBM
-/* atan r = r + r^3 (odd[0] + odd[1] r^2 + ...) for |r| up to tan(pi/8) */
-DHGEN_TABLE double dhgen_odd[11] = {
-    -0.3333333333333333,
-    0.19999999999995513,
-    -0.14285714284665177,
-    0.11111111015146682,
-    -0.0909090457366891,
-    0.07692183087347286,
-    -0.0666450998991572,
-    0.05858136252639731,
-    -0.050853834915688644,
-    0.039229744582632814,
-    -0.01917454359469326,
-};
 #endif
 
 /* The ends of a joint's range, with the slack of its limits. */

@@ -33,7 +33,7 @@ DHGEN_INLINE DHGEN_OF(direction) DHGEN_OF(ratio)(DHGEN_VECTOR y, DHGEN_VECTOR x)
 
 DHGEN_INLINE DHGEN_VECTOR DHGEN_OF(angle)(DHGEN_OF(direction) of)
 {
-    const double *const odd = dhgen_odd;
+    const double *const odd = dhgen_arctangent;
     const DHGEN_VECTOR r = of.r, u = r * r, u2 = u * u, u4 = u2 * u2;
     const DHGEN_VECTOR p0 = (odd[0] + odd[1] * u) + (odd[2] + odd[3] * u) * u2;
     const DHGEN_VECTOR p4 = (odd[4] + odd[5] * u) + (odd[6] + odd[7] * u) * u2;

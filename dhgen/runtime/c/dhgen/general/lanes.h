@@ -4,6 +4,7 @@
 #ifndef DHGEN_GENERAL_LANES_H
 #define DHGEN_GENERAL_LANES_H
 
+#include "../arctangent_series.h"
 #include "../interface.h"
 
 /* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
@@ -251,21 +252,6 @@ DHGEN_INLINE double dhgen_lane_largest(dhgen_lane x)
     }
     return most;
 }
-
-/* Coefficients of the odd powers of the arctangent from the third on. */
-DHGEN_TABLE double dhgen_arctangent[11] = {
-    -0.3333333333333333,
-    0.19999999999995513,
-    -0.14285714284665177,
-    0.11111111015146682,
-    -0.0909090457366891,
-    0.07692183087347286,
-    -0.0666450998991572,
-    0.05858136252639731,
-    -0.050853834915688644,
-    0.039229744582632814,
-    -0.01917454359469326,
-};
 
 /* The angle of a sine and a cosine with any positive common factor, in (-pi, pi], within 3 ulp:
  * atan of a ratio below tan(pi/8) by a polynomial. */

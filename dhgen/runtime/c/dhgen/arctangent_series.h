@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * atan r = r + r^3 (a[0] + a[1] r^2 ...), |r| <= tan(pi/8) */
+#ifndef DHGEN_ARCTANGENT_SERIES_H
+#define DHGEN_ARCTANGENT_SERIES_H
+
+#include "interface.h"
+
+DHGEN_TABLE double dhgen_arctangent[11] = {
+    -0.3333333333333333,
+    0.19999999999995513,
+    -0.14285714284665177,
+    0.11111111015146682,
+    -0.0909090457366891,
+    0.07692183087347286,
+    -0.0666450998991572,
+    0.05858136252639731,
+    -0.050853834915688644,
+    0.039229744582632814,
+    -0.01917454359469326,
+};
+
+#endif
