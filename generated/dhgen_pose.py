@@ -14,8 +14,7 @@ for a T that is not a rotation and a translation: scaled, sheared, mirrored, tra
 only rounded, to float32 or to six decimals, is read to within that rounding.
 
 Reading a pose and writing it again gives the same T to about 1e-15, at and near the singular
-orientations too. There the angles themselves are not unique: each function documents which it
-returns.
+orientations too, where angles are not unique: each function documents which it returns.
 
 "Document 001" is one of the course texts that dhgen follows, a chapter on kinematics in French. Its
 sections 2.1.5 (axis and angle, quaternions) and 2.1.8 (Euler angles, roll-pitch-yaw) name these
@@ -32,7 +31,7 @@ from hashlib import sha256
 from inspect import signature
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING, ParamSpec, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
@@ -44,19 +43,14 @@ if TYPE_CHECKING:
 
     Array = NDArray[np.float64]
 
-Given = ParamSpec("Given")
 Made = TypeVar("Made")
 
 try:
     from numba import njit
     from numba.extending import overload
-except ImportError:
-
-    def _plain_python(*_unused: Any, **_options: Any) -> Any:  # noqa: ANN401  as numba types it
-        """Leave a function as it is: it works as plain Python too."""
-        return lambda function: function
-
-    njit = overload = _plain_python
+except ImportError:  # functions stay what they are: they work as plain Python too
+    _as_it_is: Any = lambda *_unused, **_options: lambda function: function  # noqa: E731
+    njit = overload = _as_it_is
 
 # Compiled code finds this file, and no other text of it, in sys.modules: when that was compiled it
 # may have been imported by another name than now. In an archive there is no file, and nothing
@@ -78,24 +72,21 @@ except RuntimeError:
     )
 
 
-def _jit(function: Callable[Given, Made]) -> Callable[Given, Made]:
+def _jit(function: Callable[..., Made]) -> Callable[..., Made]:
     """Compile a function, once and for all names by which this file may be imported."""
     function.__module__ = _KEY
-    compiled: Callable[Given, Made] = njit(cache=_KEEPS)(function)
-    return compiled
+    return njit(cache=_KEEPS)(function)
 
 
-def _shape(name: str) -> tuple[int, ...]:
-    """What an argument of this name holds."""
-    if name.startswith("quaternion"):
-        return (4,)
-    return {"T": (4, 4), "left": (4, 4), "right": (4, 4), "angle": ()}.get(name, (3,))
+# What arguments of these names hold; all others are (3,).
+_SHAPES: dict[str, tuple[int, ...]] = {"T": (4, 4), "left": (4, 4), "right": (4, 4), "angle": ()}
+_SHAPES |= {"quaternion_xyzw": (4,), "quaternion_wxyz": (4,)}
 
 
 def _of_numbers(function: Callable[..., Made]) -> Callable[..., Made]:
     """Compile a function that takes arrays, and make arrays of what Python calls it with."""
     arguments = signature(function)
-    shapes = {name: _shape(name) for name in arguments.parameters}
+    shapes = {name: _SHAPES.get(name, (3,)) for name in arguments.parameters}
 
     @wraps(function)
     def call(*numbers: Any, **named: Any) -> Made:  # noqa: ANN401
@@ -131,7 +122,7 @@ def from_xyz_rpy(xyz: Array, rpy: Array) -> Array:
 
     (3,) roll about x, then pitch about y, then yaw about z, all of the base frame [rad].
     """
-    angles = _vector(rpy, 3)
+    angles = _numbers(rpy, (3,))
     cr, sr = math.cos(angles[0]), math.sin(angles[0])
     cp, sp = math.cos(angles[1]), math.sin(angles[1])
     cy, sy = math.cos(angles[2]), math.sin(angles[2])
@@ -174,7 +165,7 @@ def from_xyz_quaternion_xyzw(xyz: Array, quaternion_xyzw: Array) -> Array:
 
     (4,) x, y, z, w of any length except 0; q and -q are the same rotation.
     """
-    q = _vector(quaternion_xyzw, 4)
+    q = _numbers(quaternion_xyzw, (4,))
     largest = max(abs(q[0]), abs(q[1]), abs(q[2]), abs(q[3]))
     if largest == 0.0:
         raise ValueError("a zero quaternion is not a rotation")
@@ -198,14 +189,36 @@ def to_xyz_quaternion_xyzw(T: Array) -> tuple[Array, Array]:
     Returns:
         (3,) position; (4,) unit quaternion x, y, z, w with w in [0, 1].
     """
+    # Document 001, eq. (11i), takes each component from a root of its own. Near zero such a root
+    # turns an error of 1e-16 in R into 1e-8, and for a half turn its sgn(0) loses the vector. Sums
+    # and differences of R are 4 w q, 4 x q, 4 y q, 4 z q: the one with the largest factor, at least
+    # 2 long, has no cancellation, and its signs belong together (Shepperd 1978).
     P = _rigid(T)
-    return P[:3, 3].copy(), _quaternion_xyzw(P)
+    r11, r22, r33 = P[0, 0], P[1, 1], P[2, 2]
+    wx, wy, wz = P[2, 1] - P[1, 2], P[0, 2] - P[2, 0], P[1, 0] - P[0, 1]
+    xy, yz, xz = P[0, 1] + P[1, 0], P[1, 2] + P[2, 1], P[0, 2] + P[2, 0]
+    trace = r11 + r22 + r33
+    largest = max(trace, r11, r22, r33)
+    if trace == largest:
+        x, y, z, w = wx, wy, wz, 1.0 + trace
+    elif r11 == largest:
+        x, y, z, w = 1.0 + r11 - r22 - r33, xy, xz, wx
+    elif r22 == largest:
+        x, y, z, w = xy, 1.0 - r11 + r22 - r33, yz, wy
+    else:
+        x, y, z, w = xz, yz, 1.0 - r11 - r22 + r33, wz
+    length = math.sqrt(x * x + y * y + z * z + w * w)
+    if w < 0.0 or (w == 0.0 and (x < 0.0 or (x == 0.0 and (y < 0.0 or (y == 0.0 and z < 0.0))))):
+        length = -length
+    # A zero divided by a negative length is -0.0; the sum makes it 0.0.
+    q = np.array([x / length + 0.0, y / length + 0.0, z / length + 0.0, w / length + 0.0])
+    return P[:3, 3].copy(), q
 
 
 @_of_numbers
 def from_xyz_quaternion_wxyz(xyz: Array, quaternion_wxyz: Array) -> Array:
     """Pose from position and quaternion w, x, y, z, scalar first (document 001, eq. (11a); ABB)."""
-    q = _vector(quaternion_wxyz, 4)
+    q = _numbers(quaternion_wxyz, (4,))
     return from_xyz_quaternion_xyzw(xyz, np.array([q[1], q[2], q[3], q[0]]))
 
 
@@ -223,8 +236,7 @@ def from_xyz_axis_angle(xyz: Array, axis: Array, angle: float) -> Array:
     The axis may have any length, and be zero only together with angle 0, which is no rotation; the
     angle about it is right-handed [rad].
     """
-    v = _vector(axis, 3)
-    theta = np.float64(angle)
+    v, theta = _numbers(axis, (3,)), np.float64(angle)
     if not math.isfinite(theta):
         raise ValueError("all numbers must be finite")
     T = _pose_at(xyz)
@@ -257,16 +269,15 @@ def to_xyz_axis_angle(T: Array) -> tuple[Array, Array, float]:
     Returns:
         (3,) position; (3,) unit axis; angle in [0, pi] [rad].
     """
-    P = _rigid(T)
-    q = _quaternion_xyzw(P)
+    xyz, q = to_xyz_quaternion_xyzw(T)
     largest = max(abs(q[0]), abs(q[1]), abs(q[2]))
     if largest == 0.0:
-        return P[:3, 3].copy(), np.array([0.0, 0.0, 1.0]), 0.0
+        return xyz, np.array([0.0, 0.0, 1.0]), 0.0
     # Scaled first: the squares of the sines of tiny angles would underflow.
     x, y, z = q[0] / largest, q[1] / largest, q[2] / largest
     length = math.sqrt(x * x + y * y + z * z)
     angle = 2.0 * math.atan2(length * largest, q[3])
-    return P[:3, 3].copy(), np.array([x / length, y / length, z / length]), angle
+    return xyz, np.array([x / length, y / length, z / length]), angle
 
 
 @_of_numbers
@@ -275,7 +286,7 @@ def from_xyz_euler_zxz(xyz: Array, euler_zxz: Array) -> Array:
 
     Document 001, section 2.1.8, eq. (15).
     """
-    angles = _vector(euler_zxz, 3)
+    angles = _numbers(euler_zxz, (3,))
     ca, sa = math.cos(angles[0]), math.sin(angles[0])
     cb, sb = math.cos(angles[1]), math.sin(angles[1])
     cc, sc = math.cos(angles[2]), math.sin(angles[2])
@@ -313,10 +324,9 @@ def to_xyz_euler_zxz(T: Array) -> tuple[Array, Array]:
 def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
     """Pose from position and Euler angles a, b, c about z, y', z'': R = Rz(a) Ry(b) Rz(c).
 
-    Document 001, section 2.1.8, eq. (15) with y in place of x, as in Paul, Robot Manipulators
-    (1981).
+    Document 001, eq. (15) with y in place of x, as in Paul, Robot Manipulators (1981).
     """
-    angles = _vector(euler_zyz, 3)
+    angles = _numbers(euler_zyz, (3,))
     ca, sa = math.cos(angles[0]), math.sin(angles[0])
     cb, sb = math.cos(angles[1]), math.sin(angles[1])
     cc, sc = math.cos(angles[2]), math.sin(angles[2])
@@ -331,10 +341,7 @@ def from_xyz_euler_zyz(xyz: Array, euler_zyz: Array) -> Array:
 def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
     """Position and Euler angles a, b, c of a pose: R = Rz(a) Ry(b) Rz(c).
 
-    sin(b) = 0 as in `to_xyz_euler_zxz`.
-
-    Returns:
-        (3,) position; (3,) a in [-pi, pi], b in [0, pi], c in [-pi, pi] [rad].
+    The ranges of the angles, and what is returned for sin(b) = 0, are as in `to_xyz_euler_zxz`.
     """
     P = _rigid(T)
     sb = math.hypot(P[0, 2], P[1, 2])
@@ -351,7 +358,7 @@ def to_xyz_euler_zyz(T: Array) -> tuple[Array, Array]:
 @_of_numbers
 def from_xyz_rotvec(xyz: Array, rotvec: Array) -> Array:
     """Pose from position and rotation vector, axis times angle [rad]: rx, ry, rz of UR."""
-    v = _vector(rotvec, 3)
+    v = _numbers(rotvec, (3,))
     return from_xyz_axis_angle(xyz, v, math.hypot(math.hypot(v[0], v[1]), v[2]))
 
 
@@ -365,7 +372,7 @@ def to_xyz_rotvec(T: Array) -> tuple[Array, Array]:
 @_of_numbers
 def from_xyz_abc(xyz: Array, abc: Array) -> Array:
     """Pose from position and KUKA's A, B, C [rad]: R = Rz(A) Ry(B) Rx(C)."""
-    return from_xyz_rpy(xyz, _vector(abc, 3)[::-1].copy())
+    return from_xyz_rpy(xyz, _numbers(abc, (3,))[::-1].copy())
 
 
 @_of_numbers
@@ -378,7 +385,7 @@ def to_xyz_abc(T: Array) -> tuple[Array, Array]:
 @_of_numbers
 def from_xyz_abc_deg(xyz: Array, abc_deg: Array) -> Array:
     """Pose from position and KUKA's A, B, C [degrees]."""
-    return from_xyz_abc(xyz, _vector(abc_deg, 3) * DEGREE)
+    return from_xyz_abc(xyz, _numbers(abc_deg, (3,)) * DEGREE)
 
 
 @_of_numbers
@@ -403,7 +410,7 @@ def to_xyz_wpr(T: Array) -> tuple[Array, Array]:
 @_of_numbers
 def from_xyz_wpr_deg(xyz: Array, wpr_deg: Array) -> Array:
     """Pose from position and W, P, R of FANUC, Rx, Ry, Rz of Yaskawa: rpy in degrees."""
-    return from_xyz_wpr(xyz, _vector(wpr_deg, 3) * DEGREE)
+    return from_xyz_wpr(xyz, _numbers(wpr_deg, (3,)) * DEGREE)
 
 
 @_of_numbers
@@ -446,14 +453,14 @@ def _angle(sine: float, cosine: float) -> float:
 
 
 @_jit
-def _vector(numbers: Array, length: int) -> Array:
-    """A float64 copy of `length` finite numbers: numba checks no index and computes in float32."""
-    if numbers.shape != (length,):
-        raise ValueError("wrong length: a quaternion has 4 numbers, everything else 3")
-    copy = np.empty(length)
-    for i in range(length):
-        copy[i] = numbers[i]
-        if not math.isfinite(copy[i]):
+def _numbers(given: Array, shape: tuple[int, ...]) -> Array:
+    """A float64 copy of finite numbers: numba checks no index and computes in float32."""
+    if given.shape != shape:
+        raise ValueError("wrong shape: T is (4, 4), a quaternion has 4 numbers, everything else 3")
+    copy = np.empty(shape)
+    for place, number in np.ndenumerate(given):
+        copy[place] = number
+        if not math.isfinite(number):
             raise ValueError("all numbers must be finite")
     return copy
 
@@ -462,7 +469,7 @@ def _vector(numbers: Array, length: int) -> Array:
 def _pose_at(xyz: Array) -> Array:
     """The pose without rotation at a position."""
     T = np.eye(4)
-    T[:3, 3] = _vector(xyz, 3)
+    T[:3, 3] = _numbers(xyz, (3,))
     return T
 
 
@@ -474,16 +481,11 @@ def _rigid(T: Array) -> Array:
     is the cross product of the next two, and the length of one row is that of zero or of a
     rotation.
     """
-    if T.shape != (4, 4):
-        raise ValueError("T must have shape (4, 4)")
-    P = np.empty((4, 4))
+    P = _numbers(T, (4, 4))
+    # Entries out of bounds end here, before their products overflow.
     for i in range(4):
-        for j in range(4):
-            P[i, j] = T[i, j]
-            if not math.isfinite(P[i, j]):
-                raise ValueError("all numbers must be finite")
-            # Entries out of bounds end here, before their products overflow.
-            if j < 3 and abs(P[i, j]) > 1.0 + RIGID_TOLERANCE:
+        for j in range(3):
+            if abs(P[i, j]) > 1.0 + RIGID_TOLERANCE:
                 raise ValueError("T is not a rotation and a translation")
     deviation = max(abs(P[3, 0]), abs(P[3, 1]), abs(P[3, 2]), abs(P[3, 3] - 1.0))
     deviation = max(deviation, abs(P[0, 0] ** 2 + P[0, 1] ** 2 + P[0, 2] ** 2 - 1.0))
@@ -495,32 +497,3 @@ def _rigid(T: Array) -> Array:
     if deviation > RIGID_TOLERANCE:
         raise ValueError("T is not a rotation and a translation")
     return P
-
-
-@_jit
-def _quaternion_xyzw(P: Array) -> Array:
-    """The unit quaternion x, y, z, w of a pose (Shepperd 1978): w >= 0.
-
-    Document 001, eq. (11i), takes each component from a root of its own. Near zero such a root
-    turns an error of 1e-16 in R into 1e-8, and for a half turn its sgn(0) loses the vector. The
-    sums and differences of R are 4 w q, 4 x q, 4 y q, 4 z q: of these four multiples of q the one
-    with the largest factor, at least 2 long, has no cancellation, and its signs belong together.
-    """
-    r11, r22, r33 = P[0, 0], P[1, 1], P[2, 2]
-    wx, wy, wz = P[2, 1] - P[1, 2], P[0, 2] - P[2, 0], P[1, 0] - P[0, 1]
-    xy, yz, xz = P[0, 1] + P[1, 0], P[1, 2] + P[2, 1], P[0, 2] + P[2, 0]
-    trace = r11 + r22 + r33
-    largest = max(trace, r11, r22, r33)
-    if trace == largest:
-        x, y, z, w = wx, wy, wz, 1.0 + trace
-    elif r11 == largest:
-        x, y, z, w = 1.0 + r11 - r22 - r33, xy, xz, wx
-    elif r22 == largest:
-        x, y, z, w = xy, 1.0 - r11 + r22 - r33, yz, wy
-    else:
-        x, y, z, w = xz, yz, 1.0 - r11 - r22 + r33, wz
-    length = math.sqrt(x * x + y * y + z * z + w * w)
-    if w < 0.0 or (w == 0.0 and (x < 0.0 or (x == 0.0 and (y < 0.0 or (y == 0.0 and z < 0.0))))):
-        length = -length
-    # A zero divided by a negative length is -0.0; the sum makes it 0.0.
-    return np.array([x / length + 0.0, y / length + 0.0, z / length + 0.0, w / length + 0.0])

@@ -34,6 +34,7 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
+from contextlib import suppress
 from functools import cache, update_wrapper
 from pathlib import Path
 from types import MethodType, ModuleType
@@ -44,11 +45,9 @@ import numpy as np
 TypingError: Any
 overload: Any = None
 register_jitable: Any = lambda function: function  # noqa: E731
-try:
+with suppress(ImportError):
     from numba.core.errors import TypingError
     from numba.extending import overload, register_jitable
-except ImportError:
-    pass
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -56,13 +55,11 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-FLAGS = (
-    "-std=c99",
-    "-O2",
-    "-march=native",
-    "-fno-math-errno",
-    "-fno-trapping-math",
-    "-ffp-contract=fast",
+    Array = NDArray[np.float64]
+    Function = Callable[..., Any]
+
+FLAGS = tuple(
+    shlex.split("-std=c99 -O2 -march=native -fno-math-errno -fno-trapping-math -ffp-contract=fast")
 )
 # With these flags NaN is lost, which marks rows without a solution.
 FORGET_NAN = frozenset({"-ffast-math", "-ffinite-math-only", "-Ofast"})
@@ -134,9 +131,7 @@ def native(
     vars(robot).update(_asked=(module.__name__, compiler, tuple(words)))
     robot.__class__ = _Robot
     solver = _Solver(robot, ctypes.CDLL(str(library)))
-    for name in (
-        ("ik_all", "ik", "ik_batch") if EXTENDS else ("ik_all", "ik", "ik_batch", "ik_into")
-    ):
+    for name in ("ik_all", "ik", "ik_batch", *(() if EXTENDS else ("ik_into",))):
         setattr(robot, name, _function_of(robot, name))
     vars(robot).update(solver.names(), Unreachable=module.Unreachable)
     vars(robot)["_CALLS"].update(solver.calls(), choice=vars(module)["_CALLS"]["choice"])
@@ -168,7 +163,6 @@ def _function_of(robot: ModuleType, name: str) -> MethodType:
     itself = inspect.Parameter("robot", inspect.Parameter.POSITIONAL_ONLY)
     taken = signature.replace(parameters=[itself, *signature.parameters.values()])
     vars(call).update(__signature__=taken)
-    call.__name__ = name
     return MethodType(call, robot)
 
 
@@ -186,37 +180,28 @@ class _Solver:
         self._ik_batch = self._function("ik_batch", 5 if self._given else 4)
         self._fk_into, self._jacobian_into = self.any_fk, self.any_jacobian
         if EXTENDS:
-            self._fk_into, self._jacobian_into = (
-                _extension(self, library, name, "") for name in ("fk", "jacobian")
-            )
+            self._fk_into = _extension(self, library, "fk", "")
+            self._jacobian_into = _extension(self, library, "jacobian", "")
             *names, seed = self._takes.parameters
             shown = f"ik_into({', '.join(names)}, {seed}=None)"
             text = f"{shown}\n--\n\n{robot.ik_into.__doc__ or ''}"
             self.ik_into = _extension(self, library, "ik_into", text)
             _show_numba(self.ik_into, robot, library)
 
-    def __reduce__(self) -> tuple[Callable[[ModuleType], _Solver], tuple[ModuleType]]:
-        return _solver_of, (self._robot,)
+    def __reduce__(self) -> tuple[Function, tuple[ModuleType, str]]:
+        return getattr, (self._robot, "_solver")
 
-    def _function(self, end: str, arguments: int, result: Any = None) -> Callable[..., Any]:  # noqa: ANN401
+    def _function(self, end: str, arguments: int, result: Any = None) -> Function:  # noqa: ANN401
         function = self._library[f"{self._robot.NAME}_{end}"]
         function.argtypes, function.restype = (ctypes.c_void_p,) * arguments, result
         return function
 
     def names(self) -> dict[str, Any]:
         """The functions of Python that replace the module's."""
-        names = {
-            "fk": self.fk,
-            "jacobian": self.jacobian,
-            "joint_velocities": self.joint_velocities,
-            "_solver": self,
-            "warm_up": self.warm_up,
-        }
-        if EXTENDS:
-            names["ik_into"] = self.ik_into
-        if hasattr(self._robot, "arm_angle"):
-            names["arm_angle"] = self.arm_angle
-        return names
+        names = ["fk", "jacobian", "joint_velocities", "warm_up"]
+        names += ["ik_into"] if EXTENDS else []
+        names += ["arm_angle"] if hasattr(self._robot, "arm_angle") else []
+        return {"_solver": self, **{name: getattr(self, name) for name in names}}
 
     def calls(self) -> dict[str, Any]:
         """What the public functions call in place of compiled Python."""
@@ -227,23 +212,23 @@ class _Solver:
             "many": self.batch,
         }
 
-    def fk(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
+    def fk(self, q: Any) -> Array:  # noqa: ANN401
         """The pose (4, 4) of joint values (n,), or of each in a stack of them."""
         return self._fk_into(q, np.empty((4, 4)))
 
-    def jacobian(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
+    def jacobian(self, q: Any) -> Array:  # noqa: ANN401
         """The geometric Jacobian (6, n): velocity of the tool's origin, then angular velocity.
 
         Of a stack of joint values it is a stack.
         """
         return self._jacobian_into(q, np.empty((6, self._dof)))
 
-    def joint_velocities(self, q: Any, twist: Any) -> NDArray[np.float64]:  # noqa: ANN401
+    def joint_velocities(self, q: Any, twist: Any) -> Array:  # noqa: ANN401
         """The joint velocities (n,) of a twist (6,) at joint values (n,)."""
-        given = np.asarray(self._called["array_of"](twist, (6,), "twist"))
+        given, joints = self._array(twist, 6, "twist"), self._array(q, self._dof, "q")
         found = np.empty(self._dof)
         velocities = self._function("joint_velocities", 3)
-        velocities(self._joints(q).ctypes.data, given.ctypes.data, found.ctypes.data)
+        velocities(joints.ctypes.data, given.ctypes.data, found.ctypes.data)
         return found
 
     def arm_angle(self, q: Any) -> Any:  # noqa: ANN401
@@ -251,21 +236,16 @@ class _Solver:
         angle = self._function("arm_angle", 1, ctypes.c_double)
         return self._called["of_each"](lambda each: angle(each.ctypes.data), q, self._dof)
 
-    def any_fk(self, q: Any, T: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
+    def any_fk(self, q: Any, T: Array) -> Array:  # noqa: ANN401
         """The pose of joint values of any type, or the poses of a stack."""
         return self._of_each(self._fk, q, T.shape)
 
-    def any_jacobian(self, q: Any, J: NDArray[np.float64]) -> NDArray[np.float64]:  # noqa: ANN401
+    def any_jacobian(self, q: Any, J: Array) -> Array:  # noqa: ANN401
         """The Jacobian of joint values of any type, or the Jacobians of a stack."""
         return self._of_each(self._jacobian, q, J.shape)
 
-    def _of_each(
-        self,
-        function: Callable[..., Any],
-        q: Any,  # noqa: ANN401
-        shape: tuple[int, ...],
-    ) -> NDArray[np.float64]:
-        def made(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _of_each(self, function: Function, q: Any, shape: tuple[int, ...]) -> Array:  # noqa: ANN401
+        def made(values: Array) -> Array:
             result = np.empty(shape)
             function(values.ctypes.data, result.ctypes.data)
             return result
@@ -312,23 +292,14 @@ class _Solver:
         found = np.zeros((self._rows, self._dof)), np.zeros(self._rows, np.uint8)
         self._called["choice"].nearest(found, None, (0, self._rows), limits=True)
 
-    def _joints(self, q: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        return self._array(q, "q")
+    def _array(self, values: Any, length: int, name: str) -> Array:  # noqa: ANN401
+        return np.asarray(self._called["array_of"](values, (length,), name))
 
-    def _array(self, values: Any, name: str) -> NDArray[np.float64]:  # noqa: ANN401
-        return np.asarray(self._called["array_of"](values, (self._dof,), name))
-
-    def _seed(self, q_seed: Any) -> NDArray[np.float64]:  # noqa: ANN401
-        values = self._array(q_seed, "q_seed")
+    def _seed(self, q_seed: Any) -> Array:  # noqa: ANN401
+        values = self._array(q_seed, self._dof, "q_seed")
         if not np.isfinite(values).all():
             raise ValueError("q_seed must be finite")
         return values
-
-
-def _solver_of(robot: ModuleType) -> _Solver:
-    """What another process gets for a solver."""
-    solver: _Solver = vars(robot)["_solver"]
-    return solver
 
 
 def _given(robot: ModuleType) -> int:
@@ -362,13 +333,13 @@ _new_function = ctypes.PYFUNCTYPE(
 )(("PyCFunction_NewEx", ctypes.pythonapi))
 
 
-def _extension(owner: _Solver, library: ctypes.CDLL, name: str, text: str) -> Callable[..., Any]:
+def _extension(owner: _Solver, library: ctypes.CDLL, name: str, text: str) -> Function:
     """A function in dhgen_native.c as one of Python, with its docstring."""
     key = (library._name, name, text)  # noqa: SLF001  there is no other way to its path
     if key not in _METHODS:
         address = ctypes.cast(library[f"dhgen_native_{name}"], ctypes.c_void_p)
         _METHODS[key] = _Method(name.encode(), address, FAST_CALL, text.encode())
-    function: Callable[..., Any] = _new_function(_METHODS[key], owner, __name__)
+    function: Function = _new_function(_METHODS[key], owner, __name__)
     return function
 
 
@@ -377,29 +348,20 @@ def _show_numba(ik_into: Callable[..., int], robot: ModuleType, library: ctypes.
     if overload is None:
         return
     given, dof, rows = _given(robot), robot.DOF, robot.MAX_SOLUTIONS
-    inputs = [ctypes.c_void_p] * (2 if given else 1)
-    seeded, unseeded = (
-        ctypes.CFUNCTYPE(ctypes.c_int, *inputs, seed, ctypes.c_void_p, ctypes.c_void_p)(
-            (f"{robot.NAME}_ik", library)
-        )
-        for seed in (ctypes.c_void_p, ctypes.c_size_t)  # NULL is zero
-    )
+    inputs, results = [ctypes.c_void_p] * (2 if given else 1), [ctypes.c_void_p] * 2
+    takes = ctypes.CFUNCTYPE(ctypes.c_int, *inputs, ctypes.c_size_t, *results)
+    ik = takes((f"{robot.NAME}_ik", library))
 
     def solve(T: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
         _demand_shapes(T, q, status, rows, dof)
-        if q_seed is None:
-            return max(unseeded(T.ctypes, 0, q.ctypes, status.ctypes), 0)
-        _demand_values(q_seed, dof)
-        return max(seeded(T.ctypes, q_seed.ctypes, q.ctypes, status.ctypes), 0)
+        return max(ik(T.ctypes, _address(q_seed, dof), q.ctypes, status.ctypes), 0)
 
     def solve_given(T: Any, q_free: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
         _demand_shapes(T, q, status, rows, dof)
         if q_free.shape != (given,):
             raise ValueError("q_free has another number of values")
-        if q_seed is None:
-            return max(unseeded(T.ctypes, q_free.ctypes, 0, q.ctypes, status.ctypes), 0)
-        _demand_values(q_seed, dof)
-        return max(seeded(T.ctypes, q_free.ctypes, q_seed.ctypes, q.ctypes, status.ctypes), 0)
+        seed = _address(q_seed, dof)
+        return max(ik(T.ctypes, q_free.ctypes, seed, q.ctypes, status.ctypes), 0)
 
     def typed(T: Any, q: Any, status: Any, q_seed: Any = None) -> Any:  # noqa: ANN401
         _demand_types(T, q, status, q_seed)
@@ -420,12 +382,16 @@ def _demand_shapes(T: Any, q: Any, status: Any, rows: int, dof: int) -> None:  #
 
 
 @register_jitable  # type: ignore[untyped-decorator]
-def _demand_values(q_seed: Any, dof: int) -> None:  # noqa: ANN401
+def _address(q_seed: Any, dof: int) -> Any:  # noqa: ANN401
+    """The address of a seed, which has to be right; zero for none."""
+    if q_seed is None:
+        return 0
     if q_seed.shape != (dof,):
         raise ValueError("q_seed must have as many values as the arm has joints")
     for value in q_seed:
         if not math.isfinite(value):
             raise ValueError("q_seed must be finite")
+    return q_seed.ctypes.data
 
 
 def _demand_types(T: Any, q: Any, status: Any, q_seed: Any) -> None:  # noqa: ANN401
