@@ -99,8 +99,10 @@ def _demand_table(robot: Robot, nominal: SolverModule, table: LinkTable) -> None
         )
     if chain.task.kind is not TaskKind.POSE:
         raise _unsolved(robot, "it is not asked for poses alone")
+    if robot.sums:
+        raise _unsolved(robot, "sums of its joint values have limits")
     if robot.is_coupled:
-        raise _unsolved(robot, "its drives are coupled, or sums of them limited")
+        raise _unsolved(robot, "its drives are coupled")
     if robot.plain:
         raise _unsolved(robot, "it is plain, without what goes before the general algorithm")
     if nominal.method is not Method.CLOSED_FORM:

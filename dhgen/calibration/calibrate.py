@@ -92,7 +92,7 @@ def calibrate(
         raise VerificationError(f"the robot file made of {calibration.file} is another arm")
     if name and why_not:
         notes.insert(0, f"the arm is called {heading.name}, not {plain(name)}: {why_not}")
-    structure = misses(arm)
+    structure = misses(arm, robot.length_unit)
     return Calibrated(text, made, moved, (*([structure] if structure else []), *notes))
 
 

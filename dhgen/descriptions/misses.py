@@ -29,9 +29,9 @@ class Miss(NamedTuple):
     off: float
 
 
-def misses(arm: Arm) -> str | None:
-    """What is nearly so and is kept as it is; None where nothing is."""
-    found = _all_misses(arm)
+def misses(arm: Arm, unit: str = "m") -> str | None:
+    """What is nearly so and is kept as it is, lengths in a unit; None where nothing is."""
+    found = _all_misses(arm, unit)
     if not found:
         return None
     shown = "; ".join(miss.text for miss in found[:SHOWN])
@@ -48,15 +48,15 @@ def misses_note(arm: Arm) -> str | None:
     return f"{note}; if that is not meant, dhgen import --snap {needed} takes it as exact"
 
 
-def _all_misses(arm: Arm) -> list[Miss]:
+def _all_misses(arm: Arm, unit: str = "m") -> list[Miss]:
     return [
         miss
         for number, (one, other) in enumerate(pairwise(arm.axes), 1)
-        for miss in _misses(arm, number, one, other)
+        for miss in _misses(arm, number, one, other, unit)
     ]
 
 
-def _misses(arm: Arm, number: int, one: Axis, other: Axis) -> list[Miss]:
+def _misses(arm: Arm, number: int, one: Axis, other: Axis, unit: str) -> list[Miss]:
     axes = f"axes {number} and {number + 1}"
     u, v = one.direction, other.direction
     tilt = math.atan2(math.hypot(*cross(u, v)), abs(dot(u, v)))
@@ -70,7 +70,8 @@ def _misses(arm: Arm, number: int, one: Axis, other: Axis) -> list[Miss]:
         _, foot, landing = common_normal((one.point, u), (other.point, v))
         gap = math.dist(foot, landing)
         if arm.negligible <= gap < GAP * arm.size:
-            found.append(Miss(f"{axes} miss each other by {1e3 * gap:.3g} mm", gap / arm.size))
+            length = f"{1e3 * gap:.3g} mm" if unit == "m" else f"{gap:.3g} {unit}"
+            found.append(Miss(f"{axes} miss each other by {length}", gap / arm.size))
     return found
 
 

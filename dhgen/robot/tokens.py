@@ -103,7 +103,11 @@ def no_unit(text: str, names: Container[str]) -> CellError | None:
             continue
         span = Span(found.start(2), len(word))
         close = difflib.get_close_matches(word.lower(), ("deg", "degree", "grad"), n=1, cutoff=0.5)
-        meant = f": write '{number} deg'" if close else ": a number stands alone, or before deg"
+        meant = (
+            f": degrees are written '{number} deg'"
+            if close
+            else ": a number stands alone, or before deg"
+        )
         return CellError(f"{quoted(word)} is no unit{meant}", span)
     return None
 

@@ -26,7 +26,8 @@ if TYPE_CHECKING:
 
 FRAMES = ("base", "tool")
 MATRIX = "matrix"  # who writes a list may leave it out
-NONE_HERE = "no robot files (*.yaml, *.yml) here; name lists in JSON themselves"
+MEANT = (*ENDINGS, ".urdf")  # in a folder: most xacro files are parts of robots
+NONE_HERE = "no robot files (*.yaml, *.yml, *.urdf) here; name lists in JSON themselves"
 NOTES = ("class", "confidence")  # of a table in a list, for its readers
 
 
@@ -69,8 +70,9 @@ def robot_files(given: Sequence[Path], folder: Path) -> tuple[Source, ...]:
     """The robot files that are meant, in order.
 
     Args:
-        given: Robot files; folders, of which every *.yaml and *.yml is meant; JSON files, each a
-            list of tables or one: robot files in JSON whose `base` and `tool` may be 4x4 matrices.
+        given: Robot files; folders, of which every *.yaml, *.yml and *.urdf is meant; JSON files,
+            each a list of tables or one: robot files in JSON whose `base` and `tool` may be 4x4
+            matrices.
         folder: An empty one, where tables of lists become robot files.
 
     Raises:
@@ -104,7 +106,7 @@ def _files(path: Path, folder: Path, before: int) -> list[Source]:
 
 def _robots_in(folder: Path) -> list[Path]:
     try:  # Path.glob finds nothing where it may not look
-        return sorted(each for each in folder.iterdir() if each.suffix in ENDINGS)
+        return sorted(each for each in folder.iterdir() if each.suffix in MEANT)
     except OSError as error:
         raise refused(folder, f"the folder can't be read: {error.strerror}") from None
 

@@ -253,8 +253,9 @@ def _checked(
         missed = np.abs((poses_of(kind, table, held) - pose) * weights).max()
         _demand(missed, RESIDUAL, f"{where}: a row's pose")
         within = rows[np.isin(status, (Status.OK, Status.FREE_JOINT))]
-        if _turned(within, joints).min(initial=np.inf) <= FOUND:
-            near = arm.nearest(pose, joints)
+        own = within[_turned(within, joints) <= FOUND]  # turned to where limits have it
+        if len(own):
+            near = arm.nearest(pose, own[0])
             _demand(float(_turned(near, joints)), FOUND, f"{where}: the row nearest to the seed")
     _check_first(arm, kind, table, q[0], T[0])
     return found

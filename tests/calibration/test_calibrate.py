@@ -81,6 +81,28 @@ def test_origins_as_drivers_extract_them(capsys: pytest.CaptureFixture[str]) -> 
         np.testing.assert_allclose(forward(robot, q), of_origins(rows, q), rtol=0.0, atol=1e-12)
 
 
+MILLIMETRES = """
+name: thousand
+units: {length: mm}
+joints:
+  - {theta: q, d: 400, alpha: -pi/2}
+  - {theta: q, a: 560}
+  - {theta: q, alpha: -pi/2}
+  - {theta: q, d: 515, alpha: pi/2}
+  - {theta: q, alpha: -pi/2}
+  - {theta: q, d: 80}
+"""
+
+
+def test_what_axes_miss_is_told_in_the_file_s_unit(capsys: pytest.CaptureFixture[str]) -> None:
+    Path("thousand.yaml").write_text(MILLIMETRES, encoding="utf-8")
+    Path("measured.yaml").write_text("deltas: [{}, {}, {}, {a: 0.05}, {}, {}]", encoding="utf-8")
+    assert main(["calibrate", "thousand.yaml", "--from", "measured.yaml"]) == 0
+    told = capsys.readouterr()
+    assert "the tool is up to 0.05 mm" in told.out
+    assert "axes 4 and 5 miss each other by 0.05 mm" in told.err
+
+
 def test_an_arm_without_errors_stays_a_table() -> None:
     """The description's default numbers, rounded to 2e-10 rad, are the table's own."""
     assert calibrated("ur5e", NOMINAL) == 0
@@ -248,7 +270,7 @@ def test_what_is_written_over_is_told_and_what_is_read_stays(
         ("puma560", "deltas: 3", "measured.yaml:1:9: deltas is a list with a row for each joint"),
         ("puma560", "deltas: [3]", "measured.yaml:1:10: expected {theta: 0, d: 0, a: 0, "),
         ("puma560", "deltas: [{theta: nan}]", "measured.yaml:1:18: expected a number"),
-        ("puma560", "deltas: [{theta: 1 dgr}]", "expected a number: 'dgr' is no unit: write"),
+        ("puma560", "deltas: [{theta: 1 dgr}]", "expected a number: 'dgr' is no unit: degrees are"),
         ("puma560", "deltas: [{d: 1 deg}]", "is an angle, but a length belongs here"),
         ("ur5e", "kinematics: {shoulder: {x: 0}}", "y, z, roll, pitch, yaw missing"),
         ("ur5e", "name: ur5e", "measured.yaml:1:1: a calibration holds kinematics: "),

@@ -120,7 +120,7 @@ def test_a_sum_that_stands_alone_is_told_to_be_a_list() -> None:
     [
         ("q2 + q1", "the variable of this row is called q here: write q for q2"),
         ("q + joint1", "unknown name 'joint1'; valid: q, q1, pi, deg, sqrt, sin, cos"),
-        ("q + 150 dgr", "'dgr' is no unit: write '150 deg'"),
+        ("q + 150 dgr", "'dgr' is no unit: degrees are written '150 deg'"),
         ("q + 2 m1", "'m1' is no unit: a number stands alone, or before deg"),
     ],
 )

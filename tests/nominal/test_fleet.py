@@ -17,6 +17,7 @@ from dhgen.calibrated import kind_of
 from dhgen.errors import UnsolvedError, VerificationError
 from dhgen.method import Method
 from dhgen.oracle.forward import forward
+from dhgen.robot.load import load_text
 from dhgen.robot.task import TaskKind
 from dhgen.robot_files import RobotFile
 from dhgen.runtime import c_runtime_files, runtime_files
@@ -27,7 +28,7 @@ from dhgen.targets.python.calibrated import kind_module
 from dhgen.targets.reserved import RESERVED
 from dhgen.verify.calibrated import Calibration, FleetArm, poses_of, verify_kind
 from dhgen.verify.native import C_FLAGS, PORTABLE, c_compiler, compile_solver
-from tests.compiling import compile_file, library, module_of, written
+from tests.compiling import compile_file, library, module_of, worked_out_once, written
 from tests.nominal.fleets import (
     EACH,
     NAMES,
@@ -368,6 +369,23 @@ def test_verification_sees_what_is_wrong(tmp_path: Path, monkeypatch: pytest.Mon
         (place / name).write_text(text.replace(right, wrong), encoding="utf-8")
         with pytest.raises(VerificationError, match=f"{what} is off by"):
             verify_kind(own, place)
+
+
+def test_ranges_beyond_half_a_turn_are_verified(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Joint values in (-pi, pi] may be a turn away from where such limits have them."""
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", True)
+    path = ROBOTS / "kuka_kr6_r900.yaml"
+    rows = iter(("", ", limits: [-190 deg, 45 deg]", ", limits: [30 deg, 430 deg]"))
+    text = re.sub(
+        r"(theta: .*?)\}", lambda cells: f"{cells[1]}{next(rows, '')}}}", path.read_text("utf-8")
+    )
+    file = RobotFile(path, load_text(text, path.stem), text)
+    assert [joint.limits is not None for joint in file.robot.joints[:3]] == [False, True, True]
+    own = kind_of(file.robot, worked_out_once(file)[1], RESERVED)
+    write_files(tmp_path, {**runtime_files(), **kind_files(own), **kind_module(own)})
+    verify_kind(own, tmp_path)
 
 
 def test_robot_files_ask_for_it(tmp_path: Path) -> None:

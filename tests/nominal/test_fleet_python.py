@@ -206,6 +206,8 @@ ENTRIES = {
     (2, 1, 0.35): (OTHER, "table[2][1], d of row 3: 0.35 m in place of 0.15005"),
     (3, 3, -1.2): (OTHER, "table[3][3], alpha of row 4: -1.2 rad in place of 1.57079633"),
     (2, 1, 1e300): (f"table[2][1], d of row 3, is 1e+300 m{LARGE}", ""),
+    # parallel axes have no common normal
+    (0, 3, 0.0): (OTHER, "table[0][3], alpha of row 1: 0 rad in place of 1.57079633"),
     # what the base, a zero or the tool would take up
     (0, 1, -1e300): (f"table[0][1], d of row 1, is -1e+300 m{LARGE}", ""),
     (4, 0, 1e300): (f"table[4][0], theta of row 5, is 1e+300 rad{LARGE}", ""),
@@ -231,6 +233,8 @@ def test_tables_that_are_refused_say_which_number_it_is(
 def test_origins_of_another_arm_are_refused(folder: Path) -> None:
     """Also where numba compiles: what only compiled functions may call is not called."""
     with pytest.raises(ValueError, match="origins are those of another arm: its tool is up to"):
+        module(folder, "puma560").calibrated_by_origins(np.zeros((6, 6)))
+    with pytest.raises(ValueError, match=r"up to [\d.]+ rad and [\d.]+ m away"):
         module(folder, "puma560").calibrated_by_origins(np.zeros((6, 6)))
 
 
@@ -295,6 +299,10 @@ def test_arrays_of_the_caller_s_and_other_numba_functions(folder: Path) -> None:
     np.testing.assert_array_equal(status, kinds)
     with pytest.raises(ValueError, match=r"q must have shape \(16, 6\), not \(6, 16\)"):
         arm.ik_into(T, q.T, status)
+    with pytest.raises(ValueError, match="status must be an array of uint8, not float64"):
+        arm.ik_into(T, q, np.zeros(16))
+    with pytest.raises(ValueError, match="q must be an array of float64, not float32"):
+        arm.ik_into(T, q.astype(np.float32), status)
     with pytest.raises(ValueError, match="numbers must have shape"):
         made.ik_into(arm.numbers[:-1], T, q, status)
     if COMPILED:

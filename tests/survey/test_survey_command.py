@@ -98,7 +98,7 @@ def test_what_is_not_there_is_told_before_anything_is_done(
     out, err = capsys.readouterr()
     assert out == ""
     assert err.splitlines() == [
-        f"{tmp_path}: no robot files (*.yaml, *.yml) here; name lists in JSON themselves",
+        f"{tmp_path}: no robot files (*.yaml, *.yml, *.urdf) here; name lists in JSON themselves",
         f"{tmp_path}/x.yaml: no such file or folder",
     ]
 

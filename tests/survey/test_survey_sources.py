@@ -45,10 +45,12 @@ def test_a_table_alone_and_a_file_called_yml(tmp_path: Path) -> None:
     folder = tmp_path / "robots"
     folder.mkdir()
     (folder / "planar.yml").write_text((ROBOTS / "planar_rr.yaml").read_text(encoding="utf-8"))
+    (folder / "arm.urdf").write_text("<robot/>")
+    (folder / "parts.xacro").write_text("<robot/>")
     (tmp_path / "alone.json").write_text(json.dumps(json.loads(TABLES.read_text())[0]))
     files = robot_files([folder, tmp_path / "alone.json"], tmp_path)
-    assert [each.path.name for each in files] == ["planar.yml", "2.yaml"]
-    assert load(files[1].path).name == files[1].name
+    assert [each.path.name for each in files] == ["arm.urdf", "planar.yml", "3.yaml"]
+    assert load(files[2].path).name == files[2].name
 
 
 @pytest.mark.parametrize(
@@ -85,7 +87,7 @@ def test_all_paths_that_lead_nowhere_are_told_at_once(tmp_path: Path) -> None:
     with pytest.raises(RobotFileError) as refused:
         robot_files(given, tmp_path)
     assert str(refused.value).splitlines() == [
-        f"{tmp_path}: no robot files (*.yaml, *.yml) here; name lists in JSON themselves",
+        f"{tmp_path}: no robot files (*.yaml, *.yml, *.urdf) here; name lists in JSON themselves",
         f"{tmp_path}/x.yaml: no such file or folder",
         f"{tmp_path}/x.json: the list can't be read: No such file or directory",
     ]

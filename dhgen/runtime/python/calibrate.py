@@ -292,10 +292,10 @@ def foot_on_axis(
 def shift_of_first(N: Floats, C: Floats) -> float:
     """Returns how far a frame on axis 1 is, along it, from where the nominal arm has it.
 
-    As far as the feet of the common normals with axis 2 are apart, or, where the two are parallel,
-    as links are.
+    As far as the feet of the common normals with axis 2 are apart, or, where the two are parallel
+    in one of the arms, as links are.
     """
-    if N[2] * N[2] + N[6] * N[6] <= FAR_FROM_PARALLEL:
+    if min(N[2] * N[2] + N[6] * N[6], C[2] * C[2] + C[6] * C[6]) <= FAR_FROM_PARALLEL:
         return float(C[11] - N[11])
     foot, _ = foot_on_axis(C[3], C[7], C[11], C[2], C[6], C[10])
     nominal, _ = foot_on_axis(N[3], N[7], N[11], N[2], N[6], N[10])

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .arguments import FLOAT, array_of, demand_array, numbers
+from .arguments import BYTE, FLOAT, array_of, demand_array, numbers
 from .arm import SOLVES, descents_of
 from .arrays import NONE_GIVEN
 from .calibrate import JOINTS, ORIGINS_SHAPE, TABLE_SHAPE, TAKEN, calibrate
@@ -184,6 +184,8 @@ def ik_into(arm: Floats, T: Floats, q: Floats, status: Bytes, q_seed: Floats | N
         ValueError: An array has the wrong shape or type, or the seed is not finite.
     """
     try:
+        if q.dtype != FLOAT or status.dtype != BYTE:  # numba would compile for these, too
+            raise TypeError  # noqa: TRY301  what it is is said below
         return seeded(arm, T, q, status, np.zeros(JOINTS) if q_seed is None else q_seed)
     except Exception:
         # Types and shapes are checked in there: only after an error is the array named.

@@ -246,14 +246,14 @@ DHGEN_FN double dhgen_foot_on_axis(const double p[3], const double u[3], double 
 }
 
 /* How far an arm's frame on axis 1 is from where the nominal one has it, along that axis: as far as
- * the feet of the common normals with axis 2 are apart, or, where the two are parallel, as links
- * are. */
+ * the feet of the common normals with axis 2 are apart, or, where the two are parallel in one of
+ * the arms, as links are. */
 DHGEN_FN double dhgen_shift_of_first(const double N[12], const double C[12])
 {
     const double p[3] = { N[3], N[7], N[11] }, u[3] = { N[2], N[6], N[10] };
     const double r[3] = { C[3], C[7], C[11] }, v[3] = { C[2], C[6], C[10] };
     double apart;
-    if (u[0] * u[0] + u[1] * u[1] <= DHGEN_FAR_FROM_PARALLEL)
+    if (fmin(u[0] * u[0] + u[1] * u[1], v[0] * v[0] + v[1] * v[1]) <= DHGEN_FAR_FROM_PARALLEL)
         return C[11] - N[11];
     return dhgen_foot_on_axis(r, v, &apart) - dhgen_foot_on_axis(p, u, &apart);
 }
