@@ -164,6 +164,9 @@ def _from_base(
     for place, joint in enumerate(joints):
         if joint.parent == base:
             return joints[place:]
+    if _is_on_the_way(description, end, base):
+        order = f"{quoted(base)} is behind {quoted(end)}, not before it"
+        raise refused(description.source.file, f"{order}: exchange --base and --tip")
     way = (description.root, *(joint.child for joint in joints))
     shown = ", ".join(map(quoted, way[:12])) + (", ..." if len(way) > 12 else "")
     message = f"{quoted(base)} is not on the way to {quoted(end)}, which is {shown}"
