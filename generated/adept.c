@@ -28,8 +28,8 @@ static const double
     d1 = 1075.0, /* joint offset 1 [mm] */
     l1 = 600.0, /* link length 1 [mm] */
     l2 = 550.0, /* link length 2 [mm] */
+    zz = 500.0, /* z of the base frame [mm] */
     ez = 175.0, /* z of the tool frame [mm] */
-    zz_ = 500.0, /* z of the base frame [mm] */
     free_limit = 1e-12, /* a length that fixes no angle */
     free_limit2 = 5.76e-06, /* a length that fixes no angle [mm^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
@@ -66,17 +66,17 @@ DHGEN_PUBLIC void adept_fk(const double q[3], double T[16])
     const double c2 = cos(q[1]), s2 = sin(q[1]), x2_y = c1 * c2 - s1 * s2, x2_z = s1 * c2 + c1 * s2;
     T[0] = 0.0; T[1] = 0.0; T[2] = -1.0; T[3] = d1 - q[2] - ez;
     T[4] = -x2_z; T[5] = x2_y; T[6] = 0.0; T[7] = c1 * l1 + x2_y * l2;
-    T[8] = x2_y; T[9] = x2_z; T[10] = 0.0; T[11] = zz_ + s1 * l1 + x2_z * l2;
+    T[8] = x2_y; T[9] = x2_z; T[10] = 0.0; T[11] = zz + s1 * l1 + x2_z * l2;
     T[12] = T[13] = T[14] = 0.0; T[15] = 1.0;
 }
 
 DHGEN_PUBLIC void adept_jacobian(const double q[3], double J[18])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_y = c1 * l1, p1_z = zz_ + s1 * l1;
+    const double c1 = cos(q[0]), s1 = sin(q[0]), p1_y = c1 * l1, p1_z = zz + s1 * l1;
     const double c2 = cos(q[1]), s2 = sin(q[1]), p2_y = p1_y + (c1 * c2 - s1 * s2) * l2,
         p2_z = p1_z + (s1 * c2 + c1 * s2) * l2;
     J[0] = 0.0; J[1] = 0.0; J[2] = -1.0;
-    J[3] = zz_ - p2_z; J[4] = p1_z - p2_z; J[5] = 0.0;
+    J[3] = zz - p2_z; J[4] = p1_z - p2_z; J[5] = 0.0;
     J[6] = p2_y; J[7] = p2_y - p1_y; J[8] = 0.0;
     J[9] = 1.0; J[10] = 1.0; J[11] = 0.0;
     J[12] = 0.0; J[13] = 0.0; J[14] = 0.0;
@@ -104,7 +104,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta1, type 3: U0[1, 4] and U0[2, 4] */
     const double t14 = T24 - ez * T23;
     const double v2 = c12 * l2;
-    const double t24 = T34 - ez * T33 - zz_;
+    const double t24 = T34 - ez * T33 - zz;
     const double v3 = s12 * l2, v4 = l1 * (t24 - v3), v5 = l1 * (t14 - v2);
     const double w1 = sqrt(v4 * v4 + v5 * v5);
     const int short1 = w1 <= free_limit2;
@@ -153,7 +153,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v2 = DHGEN_QUOTIENT(1.0, v1), v3 = w12 * v2;
 
     /* theta1 */
-    const dhgen_wide t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
+    const dhgen_wide t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz,
         v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
         v6 = v4 * v4 + v5 * v5, v7 = dhgen_sqrt_wide(v6) * DHGEN_QUOTIENT(1.0, v6),
         angle1 = dhgen_atan2_wide(v4, v5);
@@ -191,7 +191,7 @@ DHGEN_INLINE int solve_regular(
         v3 = w12 * v2;
 
     /* theta1 */
-    const double t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz_,
+    const double t14 = T24 - ez * T23, t24 = T34 - ez * T33 - zz,
         v4 = m2 * t24 - w12 * (m1 * (T32 * v2)), v5 = m2 * t14 - w12 * (m1 * (T22 * v2)),
         v6 = v4 * v4 + v5 * v5, v7 = sqrt(v6) * DHGEN_QUOTIENT(1.0, v6);
 

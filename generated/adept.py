@@ -48,8 +48,8 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 d1 = 1075.0  # joint offset 1 [mm]
 l1 = 600.0  # link length 1 [mm]
 l2 = 550.0  # link length 2 [mm]
+zz = 500.0  # z of the base frame [mm]
 ez = 175.0  # z of the tool frame [mm]
-zz_ = 500.0  # z of the base frame [mm]
 free_limit = 1e-12  # a length that fixes no angle
 free_limit2 = 5.76e-06  # a length that fixes no angle [mm^2]
 pose_slack = 1e-05  # a pose may be rounded by this
@@ -90,7 +90,7 @@ def fk(q):
     x2_y, x2_z = c1 * c2 - s1 * s2, s1 * c2 + c1 * s2
     T[0, 2], T[0, 3] = -1.0, d1 - q[2] - ez
     T[1, 0], T[1, 1], T[1, 3] = -x2_z, x2_y, c1 * l1 + x2_y * l2
-    T[2, 0], T[2, 1], T[2, 3] = x2_y, x2_z, zz_ + s1 * l1 + x2_z * l2
+    T[2, 0], T[2, 1], T[2, 3] = x2_y, x2_z, zz + s1 * l1 + x2_z * l2
     T[3, 3] = 1.0
     return T
 
@@ -100,11 +100,11 @@ def jacobian(q):
     """The geometric Jacobian (6, 3): velocity of the tool's origin, then angular velocity."""
     J = _zeros(6, 3)
     c1, s1 = math.cos(q[0]), math.sin(q[0])
-    p1_y, p1_z = c1 * l1, zz_ + s1 * l1
+    p1_y, p1_z = c1 * l1, zz + s1 * l1
     c2, s2 = math.cos(q[1]), math.sin(q[1])
     p2_y, p2_z = p1_y + (c1 * c2 - s1 * s2) * l2, p1_z + (s1 * c2 + c1 * s2) * l2
     J[0, 2] = -1.0
-    J[1, 0], J[1, 1] = zz_ - p2_z, p1_z - p2_z
+    J[1, 0], J[1, 1] = zz - p2_z, p1_z - p2_z
     J[2, 0], J[2, 1] = p2_y, p2_y - p1_y
     J[3, 0], J[3, 1] = 1.0, 1.0
     return J
@@ -128,7 +128,7 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta1, type 3: U0[1, 4] and U0[2, 4]
     t14 = T24 - ez * T23
     v2 = c12 * l2
-    t24 = T34 - ez * T33 - zz_
+    t24 = T34 - ez * T33 - zz
     v3 = s12 * l2
     v4, v5 = l1 * (t24 - v3), l1 * (t14 - v2)
     w1 = math.sqrt(v4 * v4 + v5 * v5)
@@ -175,7 +175,7 @@ def _formulas(kept, turns, rows, w):
         v3 = w12 * v2
 
         # theta1, type 3: U0[1, 4] and U0[2, 4]
-        t14, t24 = T24 - ez * T23, T34 - ez * T33 - zz_
+        t14, t24 = T24 - ez * T23, T34 - ez * T33 - zz
         v4, v5 = m2 * t24 - w12 * (m1 * (T32 * v2)), m2 * t14 - w12 * (m1 * (T22 * v2))
         v6 = v4 * v4 + v5 * v5
         v7 = math.sqrt(v6) * (1.0 / v6)

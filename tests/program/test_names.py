@@ -11,12 +11,24 @@ from dhgen.program.building.builder import Builder
 from dhgen.program.ir import Let
 from dhgen.program.reserved import NOTHING
 from dhgen.program.role import Source
-from dhgen.robot.names import C_KEYWORDS, C_LIBRARY
 from dhgen.runtime import c_runtime_files
 from dhgen.targets.reserved import RESERVED
-from tests.derivation.stories import NAMES, ROBOTS, story
+from tests.derivation.stories import NAMES, story
+from tests.program.emitted_names import (
+    OF_THE_RUNTIME,
+    in_printers,
+    in_python_templates,
+    of_arrays,
+    of_c_templates,
+    of_generated_c,
+    of_helpers,
+    of_python_files,
+    of_python_functions,
+)
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
     from dhgen.program.ir import Program
 
 
@@ -63,20 +75,38 @@ def test_a_constant_of_a_name_in_use(name: str) -> None:
     assert not RESERVED.values & set(given)
 
 
-BEHIND_THE_CONSTANTS = ("solver", "general", "descents")
+def test_what_emitted_code_has_of_its_own_is_reserved() -> None:
+    """A constant of such a name would be hidden by it, or hide it, and a value likewise."""
+    assert {"solve", "kind", "own", "given_shares"} <= of_c_templates()
+    assert not _not_reserved(of_c_templates())
+    used = (of_generated_c() | of_python_functions()) & (in_printers() | in_python_templates())
+    assert {"entries", "joints", "half_turn", "kept"} <= used
+    of_programs = {name for robot in NAMES for name in names(story(robot).program)}
+    assert not _not_reserved(used) - of_programs
 
 
-def test_what_the_templates_use_is_reserved() -> None:
-    """A constant of such a name would be hidden by the template's own, or hide it."""
-    template = _templates(*BEHIND_THE_CONSTANTS)
-    code = re.sub(r"\w*\{\{.*?\}\}\w*|\{%.*?%\}|\{#.*?#\}", " ", template, flags=re.DOTALL)
-    code = re.sub(r'/\*.*?\*/|"[^"]*"|#include [^\n]*|#\s*\w+', "", code, flags=re.DOTALL)
-    used = set(re.findall(r"(?<![\w.>])[A-Za-z]\w*", code)) - C_KEYWORDS - C_LIBRARY
-    assert {"solve", "dhgen_near_rows", "seed"} <= used
-    assert not {name for name in used if not OF_THE_RUNTIME.match(name)} - RESERVED.values
+def test_what_is_at_file_level_is_kept_from_constants() -> None:
+    used = of_python_files() | of_helpers()
+    assert {"METHOD", "globals", "exec", "LEGS"} <= used
+    assert not {name for name in used if not RESERVED.is_kept_from_constants(name)}
 
 
-OF_THE_RUNTIME = re.compile("dhgen_|DHGEN_")
+def test_no_name_is_reserved_that_nothing_has() -> None:
+    used = of_c_templates() | of_generated_c() | of_arrays() | of_python_functions()
+    assert not RESERVED.values - used
+    assert not RESERVED.constants - used - of_python_files() - of_helpers()
+
+
+def _not_reserved(used: Iterable[str]) -> set[str]:
+    """Those of names that are free; of `outside1` the printers have only the word."""
+    kept = RESERVED.is_kept_from_constants
+    return {
+        name
+        for name in used
+        if name not in RESERVED.values and not kept(name) and not kept(f"{name}1")
+    }
+
+
 # Names of <math.h>, which the compiler for GPUs does not have: there the runtime defines them.
 STANDARD = {"HUGE_VAL", "HUGE_VALF", "INFINITY", "NAN"}
 
@@ -103,11 +133,6 @@ def test_the_runtime_has_names_of_its_own() -> None:
     assert [constant.name for constant in program.constants] == ["dhgen_four_"]
 
 
-def _templates(*names: str) -> str:
-    folder = ROBOTS.parent / "templates/c"
-    return "\n".join((folder / f"{name}.c.jinja").read_text(encoding="utf-8") for name in names)
-
-
 def test_a_tolerance_of_a_name_that_the_arm_has() -> None:
     builder = Builder(RESERVED.with_own({"free_limit"}))
     own = builder.constant("free_limit", 0.4, "link length", role=Source.ARM)
@@ -118,9 +143,9 @@ def test_a_tolerance_of_a_name_that_the_arm_has() -> None:
 
 
 def test_which_names_are_kept_is_for_the_targets_to_say() -> None:
-    for reserved, value, constant in ((NOTHING, "row", "hasattr"), (RESERVED, "row_", "hasattr_")):
+    for reserved, value, constant in ((NOTHING, "row", "globals"), (RESERVED, "row_", "globals_")):
         builder = Builder(reserved)
-        length = builder.constant("hasattr", 0.4, "a length")
+        length = builder.constant("globals", 0.4, "a length")
         node = builder.name(builder.mul(length, builder.pose(1, 1)), "row")
         program = builder.finish("t", {"q1": builder.apply("sqrt", node)}, [])
         assert names(program) == [value, "q1", constant]
