@@ -189,7 +189,7 @@ def test_a_prime_tells_parameters_from_letters_of_the_formulas(tmp_path: Path) -
     listed = [rf"$\mathit{{{name}}}' = 0.{place + 31}$ m" for place, name in enumerate(names)]
     assert f"Parameters: {', '.join(listed[:2])}, " in text
     assert "A prime distinguishes a parameter from the other meaning of its name." in text
-    assert r"X = -w_x" in text
+    assert "with $X = w_x$, $Y = -w_y$" in text
     plain = compile_file(robot_file(WRIST, ("X1", *"abgmnop"), tmp_path)).files["arm.md"]
     assert "A prime" not in plain
     assert r"\mathit{X1}" in plain
