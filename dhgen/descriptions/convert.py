@@ -26,6 +26,7 @@ from dhgen.descriptions.write import (
 )
 from dhgen.errors import RobotFileError, VerificationError, refused
 from dhgen.robot.load import load_text
+from dhgen.robot.task import ARM_ANGLE_JOINTS
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -70,7 +71,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         RobotFileError: There is no such arm in it.
     """
     chain = choose_chain(description, wishes.base, wishes.tip)
-    if isinstance(wishes.free, tuple):
+    if wishes.free is not None:
         _demand_joints(description, chain, wishes.free)
     near, negligible = (
         (DEFAULT, NEGLIGIBLE) if wishes.snap is None else (max(wishes.snap, LEAST),) * 2
@@ -103,9 +104,14 @@ def convert(description: Description, wishes: Wishes) -> Import:
     return Import(text, robot, chain, off, tuple(remarks))
 
 
-def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, ...]) -> None:
-    """Stops where the arm has no such joints."""
+def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, ...] | str) -> None:
+    """Stops where the arm has no such joints, or not as many as an arm angle stands for."""
     count = len(chain.actuated)
+    if isinstance(free, str):
+        if count != ARM_ANGLE_JOINTS:
+            message = f"free: {free} is for arms of {ARM_ANGLE_JOINTS} joints; this one has {count}"
+            raise refused(description.source.file, message)
+        return
     if list(free) == sorted(set(free)) and all(1 <= number <= count for number in free):
         return
     listed = ", ".join(map(str, free))

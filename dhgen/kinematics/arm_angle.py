@@ -19,7 +19,7 @@ from dhgen.errors import UnsolvedError
 from dhgen.kinematics.neighbours import EXACT, axis_triples, missed_point
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.robot.robot import JointKind
-from dhgen.robot.task import TaskKind
+from dhgen.robot.task import ARM_ANGLE_JOINTS, TaskKind
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
@@ -199,7 +199,6 @@ def _norm(vector: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.norm(vector, axis=-1, keepdims=True))
 
 
-JOINTS = 7
 TRIPLES = {(1, 2, 3): "shoulder", (5, 6, 7): "wrist"}
 
 
@@ -223,7 +222,7 @@ def why_no_arm_angle(chain: Chain) -> list[str]:
 def _whole(chain: Chain) -> list[str]:
     """What the arm lacks before its geometry is looked at."""
     kinds = {joint.kind for joint in chain.joints}
-    if chain.dof != JOINTS:
+    if chain.dof != ARM_ANGLE_JOINTS:
         return [f"this one has {chain.dof} joint{'s' if chain.dof > 1 else ''}"]
     if kinds != {JointKind.REVOLUTE}:
         return ["not all of its joints are revolute"]

@@ -68,9 +68,10 @@ def load(  # noqa: PLR0913 - the options of `dhgen import`
         path = _path(source)
         if not is_description(path):
             _demand_none(options, str(path))
-        wishes = Wishes(base, tip, _tolerance(snap), as_axes=axes, free=_joints(free))
-        packages = {name: Path(folder) for name, folder in (package or {}).items()}
-        arguments = {name: _argument(value) for name, value in (arg or {}).items()}
+        links = _link("base", base), _link("tip", tip)
+        wishes = Wishes(*links, _tolerance(snap), as_axes=axes, free=_joints(free))
+        packages = {name: Path(folder) for name, folder in _named("package", package).items()}
+        arguments = {name: _argument(value) for name, value in _named("arg", arg).items()}
         try:
             file, label = RobotFile.read(path, wishes, Outside(packages, arguments)), str(path)
         except RobotFileError as error:
@@ -94,6 +95,18 @@ def _path(source: str | os.PathLike[str]) -> Path:
         what = f"{type(source).__name__} {quoted(repr(source))}"
         message = f"load takes a path, or a dict with keys of a robot file, not {what}"
         raise CommandError(message) from None
+
+
+def _link(option: str, name: str | None) -> str | None:
+    if not isinstance(name, (str, type(None))):
+        raise CommandError(f"{option} takes the name of a link, not {name!r}")
+    return name
+
+
+def _named(option: str, values: Mapping[str, Any] | None) -> Mapping[str, Any]:
+    if not isinstance(values, (Mapping, type(None))):
+        raise CommandError(f"{option} takes a dict of names and values, not {values!r}")
+    return values or {}
 
 
 def _joints(free: Sequence[int] | str | None) -> tuple[int, ...] | str | None:

@@ -35,6 +35,7 @@ class Directions(Enum):
 
 
 ARM_ANGLE = "arm_angle"  # what `free` of a robot file holds instead of joints
+ARM_ANGLE_JOINTS = 7  # of arms that have one
 COORDINATES = ("x", "y", "z")
 ANGLES = {
     (): Directions.NONE,

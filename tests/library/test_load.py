@@ -109,6 +109,10 @@ def test_of_two_arms_one_is_asked_for(tmp_path: Path) -> None:
         (UR5, {"snap": 0.5}, "snap must be a number from 0 to 0.01, not 0.5"),
         (UR5, {"free": 7}, "free takes numbers of joints, as [7], or 'arm_angle', not 7"),
         (UR5, {"free": "7"}, "free takes numbers of joints, as [7], or 'arm_angle', not '7'"),
+        (UR5, {"base": 3}, "base takes the name of a link, not 3"),
+        (UR5, {"tip": ["a"]}, "tip takes the name of a link, not ['a']"),
+        (UR5, {"package": "x"}, "package takes a dict of names and values, not 'x'"),
+        (UR5, {"arg": "len:=1"}, "arg takes a dict of names and values, not 'len:=1'"),
         ("<robot name='x'/>", {}, "load takes a path, not the text of a description"),
     ],
 )
@@ -127,6 +131,14 @@ def test_joints_that_are_none_can_not_be_free(
         dhgen.load(PANDA, free=free)
     assert main(["import", str(PANDA), "--free", ",".join(map(str, free)), "--out", "-"]) == 2
     assert "can't be free" in capsys.readouterr().err
+
+
+def test_an_arm_angle_is_for_seven_joints(capsys: pytest.CaptureFixture[str]) -> None:
+    told = "free: arm_angle is for arms of 7 joints; this one has 6"
+    with pytest.raises(dhgen.RobotFileError, match=told):
+        dhgen.load(UR5, free="arm_angle")
+    assert main(["import", str(UR5), "--free", "arm_angle", "--out", "-"]) == 2
+    assert told in capsys.readouterr().err
 
 
 def test_why_an_arm_is_not_solved_is_told_with_its_notes() -> None:
