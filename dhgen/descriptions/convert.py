@@ -16,9 +16,9 @@ from dhgen.descriptions.snap import DEFAULT, LEAST, NEGLIGIBLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
 from dhgen.descriptions.write import (
     FEW_TURNS,
-    MOST_TURNS,
     Heading,
     axes_text,
+    ends_once,
     identifier,
     looks_like_degrees,
     plain,
@@ -190,10 +190,13 @@ def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
     missing = [joint.name for joint in bounded if joint.limits is None or not any(joint.limits)]
     still = [j.name for j in bounded if j.limits and j.limits[0] == j.limits[1] != 0.0]
     swapped = [j.name for j in bounded if j.limits and j.limits[0] > j.limits[1]]
-    endless = [j.name for j in bounded if j.limits and _ends_once(j.limits)]
+    once = [joint for joint in bounded if ends_once(joint)]
     notes = []
-    if endless:
-        notes.append(f"the limits of {', '.join(endless)} end on one side only: written without")
+    if turning := [joint.name for joint in once if joint.motion.turns]:
+        shown = ", ".join(turning)
+        notes.append(f"limits stop {shown} on one side only: the other end is written as 10 turns")
+    if sliding := [joint.name for joint in once if not joint.motion.turns]:
+        notes.append(f"limits stop {', '.join(sliding)} on one side only: written without")
     if missing:
         notes.append(f"no limits are given for {', '.join(missing)}: written without")
     if still:
@@ -201,9 +204,3 @@ def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
     if swapped:
         notes.append(f"the limits of {', '.join(swapped)} are in the wrong order: exchanged")
     return notes
-
-
-def _ends_once(limits: tuple[float, float]) -> bool:
-    """Whether one of both ends is so far away that it is none, and the other is not."""
-    least, most = sorted(map(abs, limits))
-    return least <= MOST_TURNS < most

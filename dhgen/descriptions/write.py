@@ -30,6 +30,7 @@ WRITTEN = 1e-8  # [rad] by which limits of whole degrees differ from them, writt
 _TWELFTH = math.pi / 12
 FEW_TURNS = 4.0 * math.pi  # rad: a limit beyond looks like degrees
 MOST_TURNS = 1e4  # rad: a limit beyond is as good as none
+SOME_TURNS = 20.0 * math.pi  # rad: the other end of a joint that is stopped on one side
 
 
 @dataclass(frozen=True, slots=True)
@@ -304,7 +305,14 @@ def looks_like_degrees(axis: Axis) -> bool:
 
 
 def _farthest(axis: Axis) -> float:
-    return max(map(abs, axis.joint.limits or (0.0,)))
+    ends = map(abs, axis.joint.limits or ())
+    return max((end for end in ends if end <= MOST_TURNS), default=0.0)
+
+
+def ends_once(joint: Joint) -> bool:
+    """Whether one of both ends is so far away that it is none, and the other is not."""
+    least, most = sorted(map(abs, joint.limits or (0.0, 0.0)))
+    return least <= MOST_TURNS < most
 
 
 def _free(heading: Heading) -> list[str]:
@@ -321,7 +329,9 @@ def limits_cell(joint: Joint) -> str | None:
     if joint.limits is None:
         return None
     low, high = sorted(joint.limits)
-    if low == high or max(abs(low), abs(high)) > MOST_TURNS:
+    if joint.motion.turns and ends_once(joint):
+        low, high = max(low, -SOME_TURNS), min(high, SOME_TURNS)
+    if low >= high or max(abs(low), abs(high)) > MOST_TURNS:
         return None
     ends = (low, high)
     if not joint.motion.turns:
@@ -329,4 +339,9 @@ def limits_cell(joint: Joint) -> str | None:
     degrees = [_degrees(end, WRITTEN) for end in ends]
     if all(text or not end for text, end in zip(degrees, ends, strict=True)):
         return _triple([text or "0" for text in degrees])
-    return _triple([decimal(end) for end in ends])
+    some = (-SOME_TURNS, SOME_TURNS)  # in degrees: a number of so many turns would be asked about
+    texts = [
+        text if end in some and text else decimal(end)
+        for end, text in zip(ends, degrees, strict=True)
+    ]
+    return _triple(texts)

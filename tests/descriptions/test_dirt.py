@@ -126,6 +126,9 @@ def test_axes_nearly_parallel_become_axes_and_no_table() -> None:
     assert isinstance(imported(tilted, 1e-3).robot.geometry, DhTable)
 
 
+TEN_TURNS = "3600 deg"
+
+
 @pytest.mark.parametrize(
     ("limit", "told", "written"),
     [
@@ -135,7 +138,8 @@ def test_axes_nearly_parallel_become_axes_and_no_table() -> None:
         ('<limit lower="0.2" upper="0.2"/>', "are one for panda_joint1", None),
         ('<limit lower="-1e9" upper="1e9"/>', "", None),
         ('<limit lower="-inf" upper="inf"/>', "", None),
-        ('<limit lower="-inf" upper="2"/>', "panda_joint1 end on one side only", None),
+        ('<limit lower="-inf" upper="2"/>', "panda_joint1 on one side only", f"-{TEN_TURNS}, 2"),
+        ('<limit lower="-0.5" upper="1e10"/>', "panda_joint1 on one side", f"-0.5, {TEN_TURNS}"),
         ('<limit upper="2"/>', "", "0, 2"),
         ('<limit lower="-1.5707963267948966" upper="2"/>', "", "-1.5707963267948966, 2"),
         ('<limit lower="-1.5707963267948966" upper="0"/>', "", "-90 deg, 0"),
