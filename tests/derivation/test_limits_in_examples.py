@@ -11,11 +11,14 @@ import pytest
 from dhgen.derivation import derivation_document
 from dhgen.derivation.document import singular_places
 from dhgen.derivation.french.language import French
+from dhgen.derivation.french.notation import french_formula
 from dhgen.derivation.sections.example import singular_blocks
 from dhgen.derivation.singular_example import find_singular
 from dhgen.derivation.text.blocks import Folded, Paragraph, paragraph
-from dhgen.derivation.text.formula import Symbol, equal
+from dhgen.derivation.text.formula import Matrix, Symbol, equal
 from dhgen.derivation.text.latex import latex
+from dhgen.derivation.text.show import show
+from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.values import figures
 from tests.derivation.made import made_of
 from tests.derivation.stories import story_of
@@ -118,6 +121,15 @@ def test_french_lists_with_decimal_commas_have_semicolons() -> None:
     assert written.text == "Paramètres\u00a0: {}\u00a0; {} et {}."
     whole = French().prose(paragraph("Parameters: {}, {} and {}.", x, *others).prose)
     assert whole.text == "Paramètres\u00a0: {}, {} et {}."
+
+
+def test_french_matrices_in_a_line_have_semicolons_beside_decimal_commas() -> None:
+    def printed(*entries: str) -> str:
+        a, b, c, d = (Symbol(each, each) for each in entries)
+        return show(french_formula(Matrix(((a, b), (c, d)))), PLAIN)
+
+    assert printed("0.5", "0", "1", "-0.866") == "[0,5 ; 0 ;; 1 ; -0,866]"
+    assert printed("1", "0", "0", "1") == "[1, 0; 0, 1]"
 
 
 def test_latex_has_the_headings_of_what_other_formats_fold() -> None:

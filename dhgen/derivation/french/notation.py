@@ -7,7 +7,7 @@ from dataclasses import fields, replace
 from functools import cache
 from typing import Any, get_args
 
-from dhgen.derivation.text.formula import Formula, Listing, Symbol
+from dhgen.derivation.text.formula import Formula, Listing, Matrix, Symbol
 from dhgen.derivation.text.walk import symbols_in
 
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
@@ -37,7 +37,7 @@ def french_formula(formula: Formula) -> Formula:
         each.name: _inside(getattr(formula, each.name)) for each in fields(formula)
     }
     written = replace(formula, **inside)
-    if isinstance(written, Listing) and any(map(_has_decimals, written.items)):
+    if isinstance(written, Listing | Matrix) and _has_decimals(written):
         return replace(written, separator=" ;")
     return written
 

@@ -118,9 +118,16 @@ class Listing:
 
 @dataclass(frozen=True, slots=True)
 class Matrix:
-    """A matrix; None is an entry that does not matter."""
+    """A matrix.
+
+    Attributes:
+        rows: The entries; None is one that does not matter.
+        separator: The text between entries of a row where a matrix is written in one line; between
+            rows it is doubled, or a semicolon where it is a comma.
+    """
 
     rows: tuple[tuple[Formula | None, ...], ...]
+    separator: str = ","
 
 
 @dataclass(frozen=True, slots=True)

@@ -81,8 +81,9 @@ def _show_group(formula: Call | Relation | Listing | Matrix | Element, style: St
         case Listing(items, separator):
             between = style.between(separator)
             return between.join(show(item, style) for item in items)
-        case Matrix(rows):
-            return style.matrix([[show_entry(entry, style) for entry in row] for row in rows])
+        case Matrix(rows, separator):
+            entries = [[show_entry(entry, style) for entry in row] for row in rows]
+            return style.matrix(entries, separator)
         case Element(matrix, row, column):
             name = show(matrix, style)
             name = name if isinstance(matrix, Symbol) else style.enclosed(name, tall=False)

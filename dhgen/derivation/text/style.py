@@ -75,8 +75,8 @@ class Style(Protocol):
         """Parentheses."""
         ...
 
-    def matrix(self, rows: list[list[str]]) -> str:
-        """A matrix in one line."""
+    def matrix(self, rows: list[list[str]], separator: str) -> str:
+        """A matrix in one line; what is between entries matters where nothing aligns them."""
         ...
 
 
@@ -125,8 +125,9 @@ class Latex:
         """Parentheses."""
         return rf"\left({operand}\right)" if tall else f"({operand})"
 
-    def matrix(self, rows: list[list[str]]) -> str:
-        """A matrix in one line."""
+    def matrix(self, rows: list[list[str]], separator: str) -> str:
+        """A matrix in one line, which LaTeX sets in columns."""
+        del separator
         body = r" \\ ".join(" & ".join(row) for row in rows)
         return rf"\begin{{bmatrix}} {body} \end{{bmatrix}}"
 
@@ -177,9 +178,10 @@ class Plain:
         del tall
         return f"({operand})"
 
-    def matrix(self, rows: list[list[str]]) -> str:
-        """A matrix in one line."""
-        return "[" + "; ".join(", ".join(row) for row in rows) + "]"
+    def matrix(self, rows: list[list[str]], separator: str) -> str:
+        """A matrix in one line: rows are between semicolons, or two where entries have one."""
+        between = "; " if separator == "," else f"{separator}; "
+        return "[" + between.join(self.between(separator).join(row) for row in rows) + "]"
 
 
 LATEX: Style = Latex()
