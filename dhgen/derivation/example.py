@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     from dhgen.arrays import FloatArray
     from dhgen.derivation.story import Story
-    from dhgen.kinematics.chain import Chain
+    from dhgen.kinematics.chain import Chain, ChainJoint
     from dhgen.kinematics.numeric import NumericArm
     from dhgen.program.interpret import Polynomial
 
@@ -27,6 +27,7 @@ TRIES = 64
 STEP = 5  # joint values are whole multiples of so many degrees
 FINE = 0.02  # lengths are multiples of about this part of the arm's size
 MARGIN = 0.08  # of a range, kept from its ends
+LEAST_PART = 0.2  # of a range of angles that has to be within half a turn to be drawn from there
 REGULAR = 0.05  # least singular value of the Jacobian, lengths in arm sizes
 NEAR_HALF_TURN = 1e-9  # so near to -pi angles are pi [rad]
 APART = 0.1  # of two rows [rad, arm sizes]
@@ -91,14 +92,22 @@ def drawn(chain: Chain) -> FloatArray:
     q = np.empty((TRIES, chain.dof))
     for row in q:
         for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
-            low, high = joint.limits or ((-math.pi, math.pi) if turns else (0.0, chain.size))
-            low, high = max(low, -math.pi if turns else low), min(high, math.pi if turns else high)
+            low, high = _range_of_angle(joint) if turns else joint.limits or (0.0, chain.size)
             value = low + (high - low) * source.uniform(MARGIN, 1.0 - MARGIN)
             if turns:
                 row[place] = math.radians(STEP * round(math.degrees(value) / STEP))
             else:
                 row[place] = round(value, max(digits, 0))
     return q
+
+
+def _range_of_angle(joint: ChainJoint) -> tuple[float, float]:
+    """Where an angle is drawn: within half a turn; of limits that hardly reach there, in a turn."""
+    low, high = joint.limits or (-math.pi, math.pi)
+    lowest, highest = max(low, -math.pi), min(high, math.pi)
+    if highest - lowest > LEAST_PART * min(high - low, TURN):
+        return lowest, highest
+    return (low, min(high, low + TURN)) if low > 0.0 else (max(low, high - TURN), high)
 
 
 def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.derivation.example import are_inside, turned_rows
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.legs.robot import inverse
 from dhgen.program.interpret import interpret
@@ -49,8 +50,9 @@ class Interpreted:
         return self._arm.jacobian(q)
 
     def ik_batch(self, T: FloatArray) -> FloatArray:
-        """All rows (N, rows, joints) of poses, NaN without a solution."""
-        return interpret(self._solver.solver, T, np.zeros((len(T), self.DOF))).q
+        """All rows (N, rows, joints) of poses, turned inside limits, NaN without a solution."""
+        found = interpret(self._solver.solver, T, np.zeros((len(T), self.DOF)))
+        return turned_rows(self._solver.chain, found.q)
 
     def ik_all(self, T: FloatArray) -> tuple[FloatArray, NDArray[np.uint8]]:
         """All rows of a pose, and whether they are within limits."""
@@ -200,12 +202,9 @@ def _rounded(platform: Platform, T: FloatArray) -> FloatArray:
     return platform.read(X)[1]
 
 
-def _inside(rows: FloatArray, solver: SolverModule) -> FloatArray:
-    """Which rows have joint values within limits."""
-    none = (-np.inf, np.inf)
-    low, high = np.array([joint.limits or none for joint in solver.chain.joints]).T
-    inside: FloatArray = ((rows >= low) & (rows <= high)).all(axis=1)
-    return inside
+def _inside(rows: FloatArray, solver: SolverModule) -> NDArray[np.bool_]:
+    """Which rows (rows, joints) have joint values within limits, whole turns aside."""
+    return are_inside(solver.chain, rows) & ~np.isnan(rows).any(axis=1)
 
 
 def square(rows: Sequence[float]) -> FloatArray:

@@ -65,6 +65,25 @@ def test_rows_that_keep_the_limits_are_printed_inside_them() -> None:
     assert "$221.85^\\circ$" in derivation_document(of, "x.yaml")
 
 
+@pytest.mark.parametrize(
+    ("low", "high"), [(-190, 45), (200, 500), (-500, -200), (170, 500), (300, 3000), (-3000, 3000)]
+)
+def test_joint_values_of_the_example_are_inside_limits_beyond_half_a_turn(
+    low: int, high: int
+) -> None:
+    """The pose's own as printed, and those of every row that keeps the limits."""
+    first = f"theta: q, a: 0.3, limits: [{low} deg, {high} deg]"
+    of = story_of(table(first, "theta: q, a: 0.25", task="[x, y]"))
+    assert of.example is not None
+    rows = of.example.rows[of.example.inside]
+    values = np.degrees([of.example.q[0], *rows[:, 0]])
+    assert (values >= low - 1e-6).all()
+    assert (values <= high + 1e-6).all()
+    np.testing.assert_allclose(
+        of.example.rows[of.example.followed], of.example.q, rtol=0, atol=1e-9
+    )
+
+
 def test_joints_that_no_value_of_a_free_joint_takes_inside_are_out_of_limits() -> None:
     """The slide of a row that reaches backwards is shorter than nothing, whatever q_4 is."""
     of = story_of(table(*POLAR))
