@@ -29,9 +29,21 @@ class Miss(NamedTuple):
     off: float
 
 
-def misses(arm: Arm, unit: str = "m") -> str | None:
+def misses(arm: Arm, unit: str) -> str | None:
     """What is nearly so and is kept as it is, lengths in a unit; None where nothing is."""
-    found = _all_misses(arm, unit)
+    return _told(_all_misses(arm, unit))
+
+
+def misses_note(arm: Arm) -> str | None:
+    """The note on misses of a description, with the option that takes them as exact."""
+    found = _all_misses(arm, "m")
+    if not found:
+        return None
+    needed = _rounded_up(max(miss.off for miss in found))
+    return f"{_told(found)}; if that is not meant, dhgen import --snap {needed} takes it as exact"
+
+
+def _told(found: list[Miss]) -> str | None:
     if not found:
         return None
     shown = "; ".join(miss.text for miss in found[:SHOWN])
@@ -39,16 +51,7 @@ def misses(arm: Arm, unit: str = "m") -> str | None:
     return f"kept as it is: {shown}{more}"
 
 
-def misses_note(arm: Arm) -> str | None:
-    """The note on misses, with the option that takes them as exact."""
-    note = misses(arm)
-    if note is None:
-        return None
-    needed = _rounded_up(max(miss.off for miss in _all_misses(arm)))
-    return f"{note}; if that is not meant, dhgen import --snap {needed} takes it as exact"
-
-
-def _all_misses(arm: Arm, unit: str = "m") -> list[Miss]:
+def _all_misses(arm: Arm, unit: str) -> list[Miss]:
     return [
         miss
         for number, (one, other) in enumerate(pairwise(arm.axes), 1)
