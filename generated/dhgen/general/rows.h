@@ -96,12 +96,34 @@ DHGEN_FN void dhgen_keep_without_turn(
     }
 }
 
+/* Keeps solutions that are exact and unlike one another, of drives that move their own joints
+ * alone: they need no descent. A joint's values come together: what is known of the joint is read
+ * once. The unit of angles is one. */
+DHGEN_INLINE void dhgen_keep_exact(
+    const struct dhgen_numerical_arm *arm, struct dhgen_kept *kept, double (*angles)[6], int many)
+{
+    for (int j = 0; j < arm->solved; j++) {
+        const double facing = arm->facing[j], zero = arm->zero[j], unit = arm->unit[j];
+        for (int k = 0; k < many; k++) {
+            const double value = facing * (angles[k][j] - zero);
+            kept->u[k][j] = arm->turning[j] ? dhgen_wrap(value) : value / unit;
+        }
+    }
+    for (int k = 0; k < many; k++)
+        kept->singular[k] = kept->chosen[k] = 0;
+    kept->count = many;
+}
+
 /* Keeps the solutions of a loop: at once where they are certainly all, or else they come ahead,
  * since where solutions meet the exact ones differ. */
 DHGEN_FN void dhgen_keep_loop(
     struct dhgen_descent *d, struct dhgen_kept *kept, double (*angles)[6], int many, int certain)
 {
     double u[DHGEN_JOINTS];
+    if (certain && !d->arm->drives) {
+        dhgen_keep_exact(d->arm, kept, angles, many);
+        return;
+    }
     for (int k = 0; k < many; k++) {
         dhgen_from_loop(d, angles[k], u);
         if (certain)

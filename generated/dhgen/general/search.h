@@ -188,11 +188,15 @@ DHGEN_FN void dhgen_put_in_order(
 {
     double value[DHGEN_PLACES] = { 0.0 };
     unsigned char first[DHGEN_PLACES] = { 0 };
+    int ranked = 0, single = found->count < 2;
     for (int i = 0; i < found->count; i++) {
         order[i] = i;
         value[i] = rank[i];
+        ranked |= rank[i];
     }
-    int single = dhgen_order_blocks(value, 0.0, found->count, order, first);
+    if (ranked) {
+        single = dhgen_order_blocks(value, 0.0, found->count, order, first);
+    }
     for (int k = 0; k < 6 && !single; k++) {
         for (int i = 0; i < found->count; i++) {
             value[i] = dhgen_order_of(found->q[i][k], !dhgen_is_slide(arm, k));

@@ -173,10 +173,11 @@ DHGEN_FN void dhgen_sort_rows(
         single = dhgen_order_blocks(value, DHGEN_TIE, kept->count, order, first);
     }
     for (int row = 0; row < kept->count; row++) {
+        double *const of = q + dof * row;
+        for (int i = 0; i < arm->given_joints; i++)
+            of[arm->given[i]] = d->q[arm->given[i]];
         for (int j = 0; j < arm->solved; j++)
-            d->q[arm->joint[j]] = arm->unit[j] * kept->u[order[row]][j];
-        for (int i = 0; i < dof; i++)
-            q[dof * row + i] = d->q[i];
+            of[arm->joint[j]] = arm->unit[j] * kept->u[order[row]][j];
         status[row] = kept->chosen[order[row]] ? DHGEN_FREE_JOINT : DHGEN_OK;
     }
 }
