@@ -38,7 +38,6 @@ static const double
     shortest3_reach = 0.009999999999959966, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 1.6899999999999475, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.010000000000003999, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 4.00600225e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
@@ -153,11 +152,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
-    const double v8 = seed[1] + offset2;
-
     /* theta4, type 2: U4[3, 3] */
-    const double v12 = seed[3] + offset4;
+    const double v11 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -178,18 +174,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double s3 = k1 * K3 * k3;
 
-        /* theta2 */
+        /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
         const double Y1_2 = a2 + d4 * s3;
         const double v5 = Z1_3 * Y1_2, v6 = v1 * Y1_2;
 
         /* theta4 */
-        const double v10 = T13 * c1 + T23 * s1;
+        const double v9 = T13 * c1 + T23 * s1;
         const double Y4 = T23 * c1 - T13 * s1;
-        const double v11 = Y4 * Y4;
+        const double v10 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T12 * s1 - T22 * c1, v14 = T12 * c1 + T22 * s1,
-            v16 = T11 * s1 - T21 * c1, v17 = T11 * c1 + T21 * s1;
+        const double v12 = T12 * s1 - T22 * c1, v13 = T12 * c1 + T22 * s1,
+            v15 = T11 * s1 - T21 * c1, v16 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -202,24 +198,22 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v1 * v4 - v5;
             const double v7 = Z1_3 * v4 + v6;
             const double w2 = sqrt(S2 * S2 + v7 * v7);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : -(v7 * factor2),
-                s2 = free2 ? sin(v8) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v7 * factor2), s2 = S2 * factor2;
 
             /* theta4 */
-            const double v9 = v3 * c2 + s3 * s2;
+            const double v8 = v3 * c2 + s3 * s2;
             const double s23 = s3 * c2 - v3 * s2;
-            const double X4 = v9 * v10 + T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v11);
+            const double X4 = v8 * v9 + T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v10);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * v9 - s23 * v10;
+            const double c5 = T33 * v8 - s23 * v9;
 
             /* theta6 */
-            const double v15 = v9 * v14 + T32 * s23, v18 = v9 * v17 + T31 * s23;
+            const double v14 = v8 * v13 + T32 * s23, v17 = v8 * v16 + T31 * s23;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -230,12 +224,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
-                    s4 = free4 ? sin(v12) : Y4 * factor4;
+                const double c4 = free4 ? cos(v11) : -(X4 * factor4),
+                    s4 = free4 ? sin(v11) : Y4 * factor4;
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v13 - s4 * v15, s6 = c4 * v16 - s4 * v18;
+                const double c6 = c4 * v12 - s4 * v14, s6 = c4 * v15 - s4 * v17;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
@@ -244,7 +238,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -481,12 +475,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4996, 0.4996, 0.4996, 1.0, 1.0, 1.0 }, 0.49962528103922055, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb1600_fk,
     abb_irb1600_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -64,7 +64,6 @@ longest3_reach = 1.6900000000005198  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.009999999999959966  # the shortest, with what rounding adds [m^2]
 longest3_apart = 1.6899999999999475  # the longest, where branches merge [m^2]
 shortest3_apart = 0.010000000000003999  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 4.00600225e-24  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 offset4 = 3.141592653589793  # offset of joint 4 [rad]
@@ -193,11 +192,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = wz - d1
     v2 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v8 = seed[1] + offset2
-
     # theta4, type 2: U4[3, 3]
-    v12 = seed[3] + offset4
+    v11 = seed[3] + offset4
 
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
@@ -220,18 +216,18 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         s3 = k1 * K3 * k3
 
-        # theta2
+        # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         Y1_2 = a2 + d4 * s3
         v5, v6 = Z1_3 * Y1_2, v1 * Y1_2
 
         # theta4
-        v10 = T13 * c1 + T23 * s1
+        v9 = T13 * c1 + T23 * s1
         Y4 = T23 * c1 - T13 * s1
-        v11 = Y4 * Y4
+        v10 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13, v14, v16 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
-        v17 = T11 * c1 + T21 * s1
+        v12, v13, v15 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
+        v16 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -245,24 +241,22 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v1 * v4 - v5
             v7 = Z1_3 * v4 + v6
             w2 = math.sqrt(S2 * S2 + v7 * v7)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v8) if free2 else -(v7 * factor2)
-            s2 = math.sin(v8) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v7 * factor2), S2 * factor2
 
             # theta4
-            v9 = v3 * c2 + s3 * s2
+            v8 = v3 * c2 + s3 * s2
             s23 = s3 * c2 - v3 * s2
-            X4 = v9 * v10 + T33 * s23
-            w4 = math.sqrt(X4 * X4 + v11)
+            X4 = v8 * v9 + T33 * s23
+            w4 = math.sqrt(X4 * X4 + v10)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * v9 - s23 * v10
+            c5 = T33 * v8 - s23 * v9
 
             # theta6
-            v15, v18 = v9 * v14 + T32 * s23, v9 * v17 + T31 * s23
+            v14, v17 = v8 * v13 + T32 * s23, v8 * v16 + T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -274,12 +268,12 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(v12) if free4 else -(X4 * factor4)
-                s4 = math.sin(v12) if free4 else Y4 * factor4
+                c4 = math.cos(v11) if free4 else -(X4 * factor4)
+                s4 = math.sin(v11) if free4 else Y4 * factor4
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v13 - s4 * v15, c4 * v16 - s4 * v18
+                c6, s6 = c4 * v12 - s4 * v14, c4 * v15 - s4 * v17
                 q6 = _atan2(s6, c6)
 
                 # joint values
@@ -288,7 +282,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged

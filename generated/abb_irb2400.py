@@ -66,7 +66,6 @@ longest3_reach = 2.166709151948941  # the longest, with what rounding adds [m^2]
 shortest3_reach = 0.003840848051734501  # the shortest, with what rounding adds [m^2]
 longest3_apart = 2.166709151948165  # the longest, where branches merge [m^2]
 shortest3_apart = 0.003840848051767156  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 5.736024999999999e-24  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 offset5 = 3.141592653589793  # offset of joint 5 [rad]
@@ -101,7 +100,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.4175, 0.4175, 0.4175, 1.0, 1.0, 1.0), size=2.395,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -216,9 +215,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = wz - d1
     v2 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
-    v7 = seed[1] + offset2
-
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -241,13 +237,13 @@ def _solve(pose, q_free, seed, moved, q, status):
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
-        v8 = T13 * c1 + T23 * s1
+        v7 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v9 = Y4 * Y4
+        v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v10, v11, v13 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
-        v14 = T11 * c1 + T21 * s1
+        v9, v10, v12 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
+        v13 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -257,29 +253,27 @@ def _solve(pose, q_free, seed, moved, q, status):
             root3 = w3 * e3
             s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
 
-            # theta2
+            # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
             v5 = d4 * c3 + a3 * s3
             Y1_2 = a2 + (a3 * c3 - d4 * s3)
             S2 = v1 * v5 - Z1_3 * Y1_2
             v6 = Z1_3 * v5 + v1 * Y1_2
             w2 = math.sqrt(S2 * S2 + v6 * v6)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v7) if free2 else -(v6 * factor2)
-            s2 = math.sin(v7) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v6 * factor2), S2 * factor2
 
             # theta4
             c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
-            X4 = T33 * s23 - c23 * v8
-            w4 = math.sqrt(X4 * X4 + v9)
+            X4 = T33 * s23 - c23 * v7
+            w4 = math.sqrt(X4 * X4 + v8)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c23 + s23 * v8
+            c5 = T33 * c23 + s23 * v7
 
             # theta6
-            v12, v15 = c23 * v11 - T32 * s23, c23 * v14 - T31 * s23
+            v11, v14 = c23 * v10 - T32 * s23, c23 * v13 - T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -297,7 +291,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v10 + s4 * v12, c4 * v13 + s4 * v15
+                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
                 q6 = _atan2(s6, c6)
 
                 # joint values
@@ -305,7 +299,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged

@@ -41,7 +41,6 @@ static const double
     shortest3_reach = 0.006399999999944889, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 3.8808999999998632, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.006400000000005505, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.1861135999999999e-23, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
     k1 = 0.49100000000000005, /* d1 - d5 [m] */
@@ -162,9 +161,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = T34 - k1;
     const double v3 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1[1, 4] and U1[2, 4] */
-    const double v8 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -188,7 +184,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double c3 = K3 * k4;
 
-        /* theta2 */
+        /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
         const double v5 = Z1_3 * Y1_2, v6 = v2 * Y1_2;
 
@@ -206,17 +202,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v2 * v4 - v5;
             const double v7 = Z1_3 * v4 + v6;
             const double w2 = sqrt(S2 * S2 + v7 * v7);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : -(v7 * factor2),
-                s2 = free2 ? sin(v8) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v7 * factor2), s2 = S2 * factor2;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
             const double q3 = dhgen_wrap(q2 + (atan2(s3, c3) - offset3));
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-            status[row] = (free1 || free2 || steep) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = (free1 || steep) ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -373,12 +367,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[5] = { 0, 3, 4, 7, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 4, 0, DHGEN_YAW, joints, NULL, 0,
     { 0.2904, 0.2904, 0.2904, 0.0, 0.0, 1.0 }, 0.29036004645760743, { 1e-14, 1e-14 }, entries, 5,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb460_fk,
     abb_irb460_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

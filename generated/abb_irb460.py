@@ -64,7 +64,6 @@ longest3_reach = 3.880900000001356  # the longest, with what rounding adds [m^2]
 shortest3_reach = 0.006399999999944889  # the shortest, with what rounding adds [m^2]
 longest3_apart = 3.8808999999998632  # the longest, where branches merge [m^2]
 shortest3_apart = 0.006400000000005505  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.1861135999999999e-23  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 offset3 = 1.5707963267948966  # offset of joint 3 [rad]
 k1 = 0.49100000000000005  # d1 - d5 [m]
@@ -89,7 +88,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="yaw",
     miss_weights=(0.2904, 0.2904, 0.2904, 0.0, 0.0, 1.0), size=3.444,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -199,9 +198,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = T34 - k1
     v3 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v8 = seed[1] + offset2
-
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -227,7 +223,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k4
 
-        # theta2
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
         v5, v6 = Z1_3 * Y1_2, v2 * Y1_2
 
@@ -246,10 +242,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v2 * v4 - v5
             v7 = Z1_3 * v4 + v6
             w2 = math.sqrt(S2 * S2 + v7 * v7)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v8) if free2 else -(v7 * factor2)
-            s2 = math.sin(v8) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v7 * factor2), S2 * factor2
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -257,7 +251,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             q[row, 3] = q4
-            status[row] = FREE_JOINT if free1 or free2 or steep else OK
+            status[row] = FREE_JOINT if free1 or steep else OK
 
 
 @_HOW.merged

@@ -39,7 +39,6 @@ static const double
     shortest3_reach = 0.03496914586584486, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 5.650130854133884, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.034969145865976506, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.0240152378064055e-23, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 2.7813, /* 2 * d4 * a2 [m^2] */
     k2 = 0.38325, /* 2 * a3 * a2 [m^2] */
@@ -191,10 +190,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double v5 = v1 * X1_2 + Z1_3 * Y1_2;
             const double C2 = Z1_3 * X1_2 - v1 * Y1_2;
             const double w2 = sqrt(v5 * v5 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v5 * factor2);
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = -(v5 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
@@ -229,7 +226,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -489,12 +486,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0 }, 0.31249767492121183, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb4600_fk,
     abb_irb4600_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

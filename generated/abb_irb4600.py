@@ -65,7 +65,6 @@ longest3_reach = 5.650130854135559  # the longest, with what rounding adds [m^2]
 shortest3_reach = 0.03496914586584486  # the shortest, with what rounding adds [m^2]
 longest3_apart = 5.650130854133884  # the longest, where branches merge [m^2]
 shortest3_apart = 0.034969145865976506  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.0240152378064055e-23  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 2.7813  # 2 * d4 * a2 [m^2]
 k2 = 0.38325  # 2 * a3 * a2 [m^2]
@@ -99,7 +98,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.3125, 0.3125, 0.3125, 1.0, 1.0, 1.0), size=3.2000238089839357,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The axes at q = 0: a unit vector along each, and a point of it [m].
@@ -248,10 +247,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             v5 = v1 * X1_2 + Z1_3 * Y1_2
             C2 = Z1_3 * X1_2 - v1 * Y1_2
             w2 = math.sqrt(v5 * v5 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v5 * factor2)
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, -(v5 * factor2)
             q2 = _atan2(s2, c2)
 
             # theta4
@@ -287,7 +284,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged

@@ -39,7 +39,6 @@ static const double
     shortest3_reach = 0.10975599373041584, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 6.156822006269125, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.10975599373070498, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.5737088999999998e-23, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
@@ -152,9 +151,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
-    const double v7 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -175,13 +171,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v8 = T13 * c1 + T23 * s1;
+        const double v7 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v9 = Y4 * Y4;
+        const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v10 = T22 * c1 - T12 * s1, v11 = T12 * c1 + T22 * s1,
-            v13 = T21 * c1 - T11 * s1, v14 = T11 * c1 + T21 * s1;
+        const double v9 = T22 * c1 - T12 * s1, v10 = T12 * c1 + T22 * s1, v12 = T21 * c1 - T11 * s1,
+            v13 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -191,29 +187,27 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
             const double q3 = atan2(s3, c3);
 
-            /* theta2 */
+            /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
             const double v5 = d4 * c3 + a3 * s3;
             const double Y1_2 = a2 + (a3 * c3 - d4 * s3);
             const double S2 = v1 * v5 - Z1_3 * Y1_2;
             const double v6 = Z1_3 * v5 + v1 * Y1_2;
             const double w2 = sqrt(S2 * S2 + v6 * v6);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : -(v6 * factor2),
-                s2 = free2 ? sin(v7) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v6 * factor2), s2 = S2 * factor2;
 
             /* theta4 */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2;
-            const double X4 = T33 * s23 - c23 * v8;
-            const double w4 = sqrt(X4 * X4 + v9);
+            const double X4 = T33 * s23 - c23 * v7;
+            const double w4 = sqrt(X4 * X4 + v8);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c23 + s23 * v8;
+            const double c5 = T33 * c23 + s23 * v7;
 
             /* theta6 */
-            const double v12 = c23 * v11 - T32 * s23, v15 = c23 * v14 - T31 * s23;
+            const double v11 = c23 * v10 - T32 * s23, v14 = c23 * v13 - T31 * s23;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -229,7 +223,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v10 + s4 * v12, s6 = c4 * v13 + s4 * v15;
+                const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
@@ -237,7 +231,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -510,12 +504,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.2521, 0.2521, 0.2521, 1.0, 1.0, 1.0 }, 0.25207965717166625, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, abb_irb6640_fk,
     abb_irb6640_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -57,7 +57,6 @@ longest2_reach = 0.36000000000011856  # the longest, with what rounding adds [m^
 shortest2_reach = 0.002499999999990129  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.3599999999999883  # the longest, where branches merge [m^2]
 shortest2_apart = 0.002500000000000986  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 9.74169e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 9.87e-06  # a pose may be rounded by this [m]
 k1 = 0.18125000000000002  # a1^2 + a2^2 [m^2]
@@ -171,10 +170,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v2 - T14 * Y1_1
         C1 = v3 + T24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
@@ -190,7 +187,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 @_HOW.merged

@@ -35,7 +35,6 @@ static const double
     shortest3_reach = 0.0024999999999885045, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.5624999999999827, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.002500000000001154, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.3224999999999997e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.27999999999999997, /* 2 * d4 * a2 [m^2] */
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
     k3 = 12.755102040816327; /* 1 / (k1^2) [m^-4] */
@@ -145,14 +144,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = root1 * v3 - v4;
             const double v6 = Z1_3 * v3 + v5;
             const double w2 = sqrt(S2 * S2 + v6 * v6);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : -(v6 * factor2),
-                s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v6 * factor2), s2 = S2 * factor2;
             const double q2 = atan2(s2, c2);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -160,15 +157,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef ARM_3R_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-/* In formulas below, doubt_limit1 = 0.00011499999999999999 [m],
- * doubt_limit_squared2 = 1.3224999999999996e-08 [m^2]. */
+/* In formulas below, doubt_limit1 = 0.00011499999999999999 [m]. */
 static const double
     m1 = 1.3224999999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 9.698908343125067e-12,
     m4 = 1.2499999999999998, /* d4 * k1 * k3 [m^-1] */
-    m5 = 0.04687500000000003, /* a2 - d4 * k1 * k2 * k3 [m] */
-    m6 = 1.749006249999999e-16; /* doubt_limit_squared2^2 [m^4] */
+    m5 = 0.04687500000000003; /* a2 - d4 * k1 * k2 * k3 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -189,25 +184,23 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         q3_pm = dhgen_signed_wide(DHGEN_HALF_TURN, -(k1 * (N3 - k2))) - angle2;
 
     /* theta2 */
-    const dhgen_wide v3 = m5 + m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * w1), S2_pp = v5 - v4,
-        v6 = v4 + v5, v7 = w3 * (m4 * Z1_3), v8 = w3 * (m4 * -Z1_3), v9 = w1 * v3, v10 = v7 + v9,
-        v11 = v8 + v9, v12 = v7 - v9, v13 = v8 - v9, v14 = S2_pp * S2_pp, v15 = v6 * v6;
+    const dhgen_wide v3 = m5 + m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * Z1_3),
+        v6 = w3 * (m4 * -Z1_3), v7 = w1 * v3, v8 = w3 * (m4 * w1), v9 = v8 - v4;
 
     /* joint values */
     const dhgen_wide q1_pp = angle1 + v2,
         q1_mp = v2 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, -T24));
 
-    q[0] = q1_pp; q[1] = dhgen_atan2_wide(S2_pp, -v10); q[2] = angle2;
+    q[0] = q1_pp; q[1] = dhgen_atan2_wide(v9, -(v5 + v7)); q[2] = angle2;
     kind[0] = dhgen_kind_wide(q[0]);
-    q[3] = q1_pp; q[4] = dhgen_atan2_wide(-v6, -v11); q[5] = q3_pm;
+    q[3] = q1_pp; q[4] = dhgen_atan2_wide(-(v4 + v8), -(v6 + v7)); q[5] = q3_pm;
     kind[1] = dhgen_kind_wide(q[3]);
-    q[6] = q1_mp; q[7] = dhgen_atan2_wide(-v6, -v12); q[8] = angle2;
+    q[6] = q1_mp; q[7] = dhgen_atan2_wide(-(v4 + v8), v7 - v5); q[8] = angle2;
     kind[2] = dhgen_kind_wide(q[6]);
-    q[9] = q1_mp; q[10] = dhgen_atan2_wide(S2_pp, -v13); q[11] = q3_pm;
+    q[9] = q1_mp; q[10] = dhgen_atan2_wide(v9, v7 - v6); q[11] = q3_pm;
     kind[3] = dhgen_kind_wide(q[9]);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15
-        + v12 * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6));
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3) <= m3));
 }
 
 #if DHGEN_LANES > 1
@@ -233,15 +226,15 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v5 = m5 + m4 * N3, v6 = Z1_3 * v5;
-    const dhgen_four S2 = w3 * (m4 * (w1 * (e1 * e3))) - v6, v7 = w3 * (m4 * (e3 * Z1_3)),
-        v8 = w1 * (e1 * v5), v9 = v7 + v8;
+    const dhgen_four v7 = w3 * (m4 * (e3 * Z1_3)), v8 = w1 * (e1 * v5);
 
-    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
-        (S2 * S2 + v9 * v9 <= m6)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0)) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T24, -(k1 * (N3 - k2)),
-        -T24, -T24), dhgen_four_of(-T14, k1 * w3, -T14, -T14)), ratio2 = dhgen_ratio_four(S2, -v9);
+        -T24, -T24), dhgen_four_of(-T14, k1 * w3, -T14, -T14)),
+        ratio2 = dhgen_ratio_four(w3 * (m4 * (w1 * (e1 * e3))) - v6, -(v7 + v8));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle2 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle3 = dhgen_angle_four(ratio2);
@@ -260,12 +253,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8696, 0.8696, 0.8696, 0.0, 0.0, 0.0 }, 0.8695652173913044, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, arm_3r_fk,
     arm_3r_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

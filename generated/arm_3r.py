@@ -43,8 +43,7 @@ MAX_SOLUTIONS = 4
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 0.00011499999999999999 [m],
-# doubt_limit_squared2 = 1.3224999999999996e-08 [m^2].
+# In formulas below, doubt_limit1 = 0.00011499999999999999 [m].
 d1 = 0.4  # joint offset 1 [m]
 a2 = 0.4  # link length 2 [m]
 d4 = 0.35  # z of the tool frame [m]
@@ -55,7 +54,6 @@ longest3_reach = 0.5625000000001725  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.0024999999999885045  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.5624999999999827  # the longest, where branches merge [m^2]
 shortest3_apart = 0.002500000000001154  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.3224999999999997e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
 k3 = 12.755102040816327  # 1 / (k1^2) [m^-4]
@@ -64,7 +62,6 @@ m1 = 1.3224999999999998e-08  # doubt_limit1^2 [m^2]
 m3 = 9.698908343125067e-12
 m4 = 1.2499999999999998  # d4 * k1 * k3 [m^-1]
 m5 = 0.04687500000000003  # a2 - d4 * k1 * k2 * k3 [m]
-m6 = 1.749006249999999e-16  # doubt_limit_squared2^2 [m^4]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
@@ -176,14 +173,12 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = root1 * v3 - v4
             v6 = Z1_3 * v3 + v5
             w2 = math.sqrt(S2 * S2 + v6 * v6)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else -(v6 * factor2)
-            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v6 * factor2), S2 * factor2
             q2 = _atan2(s2, c2)
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free1 else OK
 
 
 @_HOW.merged
@@ -209,22 +204,17 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v3 = m5 + m4 * N3
-        v4, v5 = Z1_3 * v3, w3 * (m4 * w1)
-        S2_pp, v6, v7 = v5 - v4, v4 + v5, w3 * (m4 * Z1_3)
-        v8, v9 = w3 * (m4 * -Z1_3), w1 * v3
-        v10, v11, v12 = v7 + v9, v8 + v9, v7 - v9
-        v13, v14, v15 = v8 - v9, S2_pp * S2_pp, v6 * v6
+        v4, v5, v6 = Z1_3 * v3, w3 * (m4 * Z1_3), w3 * (m4 * -Z1_3)
+        v7, v8 = w1 * v3, w3 * (m4 * w1)
+        v9 = v8 - v4
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = (
-            1.0 if abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or
-            v14 + v10 * v10 <= m6 or v15 + v11 * v11 <= m6 else kept[16 * w + k]
-        )
+        kept[16 * w + k] = 1.0 if v1 <= m1 or abs(D3) <= m3 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = N3, v2, -T24
-        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -(k1 * (N3 - k2)), S2_pp, -v6
-        turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = -v6, S2_pp, -T14
-        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = k1 * w3, -v10, -v11
-        turns[12 * w + k], turns[13 * w + k] = -v12, -v13
+        turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -(k1 * (N3 - k2)), v9, -(v4 + v8)
+        turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = -(v4 + v8), v9, -T14
+        turns[9 * w + k], turns[10 * w + k], turns[11 * w + k] = k1 * w3, -(v5 + v7), -(v6 + v7)
+        turns[12 * w + k], turns[13 * w + k] = v7 - v5, v7 - v6
     if w == 1 and kept[16] != 0.0:
         return
     end = 8 if w == 1 else 6 * w

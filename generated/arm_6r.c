@@ -36,7 +36,6 @@ static const double
     shortest3_reach = 0.002499999999987505, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.5624999999999812, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0025000000000012543, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.5624999999999999e-24, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.27999999999999997, /* 2 * d4 * a2 [m^2] */
     k2 = 0.28250000000000003, /* a2^2 + d4^2 [m^2] */
@@ -187,10 +186,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = root1 * v3 - v4;
             const double v6 = Z1_3 * v3 + v5;
             const double w2 = sqrt(S2 * S2 + v6 * v6);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : -(v6 * factor2),
-                s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v6 * factor2), s2 = S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
@@ -220,7 +217,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -229,16 +226,14 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef ARM_6R_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-/* In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit_squared2 = 1.5625e-08 [m^2],
- * doubt_limit = 9.999999999999999e-05. */
+/* In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.5625e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.050715070505213e-11,
     m4 = 1.2499999999999998, /* d4 * k1 * k3 [m^-1] */
     m5 = 0.04687500000000003, /* a2 - d4 * k1 * k2 * k3 [m] */
-    m6 = 2.44140625e-16, /* doubt_limit_squared2^2 [m^4] */
-    m7 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -336,8 +331,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v48 <= m7) | (v32 <= m6) | (v47 <= m7) | (v31 <= m6) | (v46 <= m7) |
-        (v30 <= m6) | (v45 <= m7) | (v1 <= m1) | (dhgen_abs_wide(D3) <= m3) | (v28 <= m6));
+    return (exact == 0) | ((dhgen_abs_wide(D3) <= m3) | (v1 <= m1) | (v48 <= m6) | (v47 <= m6) |
+        (v45 <= m6) | (v46 <= m6));
 }
 
 #if DHGEN_LANES > 1
@@ -387,8 +382,8 @@ DHGEN_INLINE int solve_regular(
         v34 = w1 * (v2 * (wx * T21 + Y1 * T11)), v35 = w1 * (v2 * (Y1 * T21 - wx * T11));
     const dhgen_four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v24 <= m6) |
-        (v29 <= m7))) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v29 <= m6)) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Y1, -v5, Y1, Y1),
@@ -420,12 +415,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8, 0.8, 0.8, 1.0, 1.0, 1.0 }, 0.8, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, arm_6r_fk,
     arm_6r_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

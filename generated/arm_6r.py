@@ -49,8 +49,7 @@ MAX_SOLUTIONS = 8
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit_squared2 = 1.5625e-08 [m^2],
-# doubt_limit = 9.999999999999999e-05.
+# In formulas below, doubt_limit1 = 0.000125 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.4  # joint offset 1 [m]
 a2 = 0.4  # link length 2 [m]
 d4 = 0.35  # joint offset 4 [m]
@@ -62,7 +61,6 @@ longest3_reach = 0.5625000000001875  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.002499999999987505  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.5624999999999812  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0025000000000012543  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.5624999999999999e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.27999999999999997  # 2 * d4 * a2 [m^2]
 k2 = 0.28250000000000003  # a2^2 + d4^2 [m^2]
@@ -72,8 +70,7 @@ m1 = 1.5625e-08  # doubt_limit1^2 [m^2]
 m3 = 1.050715070505213e-11
 m4 = 1.2499999999999998  # d4 * k1 * k3 [m^-1]
 m5 = 0.04687500000000003  # a2 - d4 * k1 * k2 * k3 [m]
-m6 = 2.44140625e-16  # doubt_limit_squared2^2 [m^4]
-m7 = 9.999999999999999e-09  # doubt_limit^2
+m6 = 9.999999999999999e-09  # doubt_limit^2
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
@@ -226,10 +223,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = root1 * v3 - v4
             v6 = Z1_3 * v3 + v5
             w2 = math.sqrt(S2 * S2 + v6 * v6)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else -(v6 * factor2)
-            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v6 * factor2), S2 * factor2
             q2 = _atan2(s2, c2)
 
             # theta4
@@ -260,7 +255,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged
@@ -333,8 +328,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v48 <= m7 or v32 <= m6 or v47 <= m7 or v31 <= m6 or v46 <= m7 or v30 <= m6 or v45
-            <= m7 or v1 <= m1 or abs(D3) <= m3 or v28 <= m6 else kept[16 * w + k]
+            1.0 if abs(D3) <= m3 or v1 <= m1 or v48 <= m6 or v47 <= m6 or v45 <= m6 or v46 <= m6
+            else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, v3, v4
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v49, v50, v55

@@ -168,11 +168,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz + d1;
     const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
 
-    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v7 = seed[1] + offset2;
-
     /* theta4, type 2: U4[3, 3] */
-    const double v10 = seed[3] + offset4;
+    const double v9 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -194,13 +191,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4 */
-        const double v8 = T13 * c1 - T23 * s1;
+        const double v7 = T13 * c1 - T23 * s1;
         const double Y4 = T23 * c1 + T13 * s1;
-        const double v9 = Y4 * Y4;
+        const double v8 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v11 = T22 * c1 + T12 * s1, v12 = T12 * c1 - T22 * s1,
-            v14 = T21 * c1 + T11 * s1, v15 = T11 * c1 - T21 * s1;
+        const double v10 = T22 * c1 + T12 * s1, v11 = T12 * c1 - T22 * s1,
+            v13 = T21 * c1 + T11 * s1, v14 = T11 * c1 - T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -209,29 +206,28 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double root3 = w3 * e3;
             const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
 
-            /* theta2 */
+            /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
             const double X1_2 = a2 + (a3 * c3 + d4 * s3);
             const double Y1_2 = d4 * c3 - a3 * s3;
             const double S2 = Z1_3 * X1_2 - Z2_3 * Y1_2;
             const double C2 = Z2_3 * X1_2 - Z1_3 * -Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v7) : C2 * factor2, s2 = free2 ? sin(v7) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
             const double s2m3 = c3 * s2 - s3 * c2;
-            const double X4 = T33 * s2m3 - c2m3 * v8;
-            const double w4 = sqrt(X4 * X4 + v9);
+            const double X4 = T33 * s2m3 - c2m3 * v7;
+            const double w4 = sqrt(X4 * X4 + v8);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c2m3 + s2m3 * v8;
+            const double c5 = T33 * c2m3 + s2m3 * v7;
 
             /* theta6 */
-            const double v13 = c2m3 * v12 - T32 * s2m3, v16 = c2m3 * v15 - T31 * s2m3;
+            const double v12 = c2m3 * v11 - T32 * s2m3, v15 = c2m3 * v14 - T31 * s2m3;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -242,11 +238,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(v10) : -(X4 * factor4),
-                    s4 = free4 ? sin(v10) : Y4 * factor4;
+                const double c4 = free4 ? cos(v9) : -(X4 * factor4),
+                    s4 = free4 ? sin(v9) : Y4 * factor4;
 
                 /* theta6 */
-                const double s6 = s4 * v16 - c4 * v14, c6 = c4 * v11 - s4 * v13;
+                const double s6 = s4 * v15 - c4 * v13, c6 = c4 * v10 - s4 * v12;
 
                 /* joint values */
                 const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
@@ -255,7 +251,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -537,12 +533,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3642, 0.3642, 0.3642, 1.0, 1.0, 1.0 }, 0.36416605972323385, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, comau_ns16_fk,
     comau_ns16_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -119,7 +119,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -236,11 +236,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     v3 = Z1_3 * Z1_3
     v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v7 = seed[1] + offset2
-
     # theta4, type 2: U4[3, 3]
-    v10 = seed[3] + offset4
+    v9 = seed[3] + offset4
 
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
@@ -264,13 +261,13 @@ def _solve(pose, q_free, seed, moved, q, status):
         v5, v6 = k5 * K3, k6 * K3
 
         # theta4
-        v8 = T13 * c1 - T23 * s1
+        v7 = T13 * c1 - T23 * s1
         Y4 = T23 * c1 + T13 * s1
-        v9 = Y4 * Y4
+        v8 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v11, v12, v14 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
-        v15 = T11 * c1 - T21 * s1
+        v10, v11, v13 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
+        v14 = T11 * c1 - T21 * s1
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -280,30 +277,28 @@ def _solve(pose, q_free, seed, moved, q, status):
             root3 = w3 * e3
             s3, c3 = (v5 + k6 * root3) * k8, k8 * (v6 - k5 * root3)
 
-            # theta2
+            # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
             X1_2 = a2 + (a3 * c3 + d4 * s3)
             Y1_2 = d4 * c3 - a3 * s3
             S2 = Z1_3 * X1_2 - Z2_3 * Y1_2
             C2 = Z2_3 * X1_2 - Z1_3 * -Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v7) if free2 else C2 * factor2
-            s2 = math.sin(v7) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
 
             # theta4
             c2m3 = c3 * c2 + s3 * s2
             s2m3 = c3 * s2 - s3 * c2
-            X4 = T33 * s2m3 - c2m3 * v8
-            w4 = math.sqrt(X4 * X4 + v9)
+            X4 = T33 * s2m3 - c2m3 * v7
+            w4 = math.sqrt(X4 * X4 + v8)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c2m3 + s2m3 * v8
+            c5 = T33 * c2m3 + s2m3 * v7
 
             # theta6
-            v13, v16 = c2m3 * v12 - T32 * s2m3, c2m3 * v15 - T31 * s2m3
+            v12, v15 = c2m3 * v11 - T32 * s2m3, c2m3 * v14 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -315,11 +310,11 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(v10) if free4 else -(X4 * factor4)
-                s4 = math.sin(v10) if free4 else Y4 * factor4
+                c4 = math.cos(v9) if free4 else -(X4 * factor4)
+                s4 = math.sin(v9) if free4 else Y4 * factor4
 
                 # theta6
-                s6, c6 = s4 * v16 - c4 * v14, c4 * v11 - s4 * v13
+                s6, c6 = s4 * v15 - c4 * v13, c4 * v10 - s4 * v12
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
@@ -328,7 +323,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged

@@ -30,7 +30,6 @@ static const double
     sqrt2 = 1.4142135623730951, /* square root of 2 */
     d4 = 1.0, /* joint offset 4 [m] */
     a3 = 1.0, /* link length 4 [m] */
-    free_limit_squared = 1e-24, /* square of a length that fixes no angle */
     free_limit = 1e-12, /* a length that fixes no angle */
     free_limit2 = 9e-12, /* a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
@@ -110,17 +109,16 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta1, type 2: U1[2, 3] */
     const double N1 = T13 * T13 + T23 * T23;
-    const int free1 = N1 <= free_limit_squared;
     const double D1 = N1 - k3;
     const int apart1 = k5 < D1;
     if (!(-k4 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k2 * sqrt(N1)));
+    const double inverse1 = 1.0 / (apart1 ? N1 : k2 * sqrt(N1));
     const double v1 = T13 * k2, v2 = T23 * k2;
 
     /* theta2, type 3: U1[3, 3] and U1[1, 3] */
@@ -132,10 +130,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T13 * root1),
-            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T23 * root1));
+        const double c1 = inverse1 * (v2 - T13 * root1), s1 = -(inverse1 * (v1 + T23 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2 */
@@ -179,7 +176,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double q4 = dhgen_wrap(atan2(s34, c34) - q3);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -369,14 +366,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.3333, 0.3333, 0.3333, 1.0, 1.0, 1.0 }, 0.3333333333333333, { 1e-14, 1e-14 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, craig_417_fk,
-    craig_417_jacobian, solve,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, craig_417_fk, craig_417_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

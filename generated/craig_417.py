@@ -51,7 +51,6 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 sqrt2 = 1.4142135623730951  # square root of 2
 d4 = 1.0  # joint offset 4 [m]
 a3 = 1.0  # link length 4 [m]
-free_limit_squared = 1e-24  # square of a length that fixes no angle
 free_limit = 1e-12  # a length that fixes no angle
 free_limit2 = 9e-12  # a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
@@ -147,13 +146,12 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
-    free1 = N1 <= free_limit_squared
     D1 = N1 - k3
     apart1 = k5 < D1
     if not (-k4 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k2 * math.sqrt(N1)))
+    inverse1 = 1.0 / (N1 if apart1 else k2 * math.sqrt(N1))
     v1, v2 = T13 * k2, T23 * k2
 
     # theta2, type 3: U1[3, 3] and U1[1, 3]
@@ -166,11 +164,10 @@ def _solve(pose, q_free, seed, moved, q, status):
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T13 * root1)
-        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T23 * root1))
+        c1, s1 = inverse1 * (v2 - T13 * root1), -(inverse1 * (v1 + T23 * root1))
         q1 = _atan2(s1, c1)
 
         # theta2
@@ -217,7 +214,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 @_HOW.merged

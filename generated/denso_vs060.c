@@ -39,7 +39,6 @@ static const double
     shortest3_reach = 2.3361558394664975e-05, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.36622663844159176, /* the longest, where branches merge [m^2] */
     shortest3_apart = 2.336155839576022e-05, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.0608999999999998e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset3 = -1.5707963267948966, /* offset of joint 3 [rad] */
@@ -154,9 +153,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v5 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -175,13 +171,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v6 = T13 * c1 + T23 * s1;
+        const double v5 = T13 * c1 + T23 * s1;
         const double Y4 = T23 * c1 - T13 * s1;
-        const double v8 = Y4 * Y4;
+        const double v7 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
-            v13 = T11 * c1 + T21 * s1;
+        const double v8 = T12 * s1 - T22 * c1, v9 = T12 * c1 + T22 * s1, v11 = T11 * s1 - T21 * c1,
+            v12 = T11 * c1 + T21 * s1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
@@ -193,28 +189,27 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double root3 = w3 * e3;
             const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
 
-            /* theta2 */
+            /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
             const double X1_2 = a2 + (a3 * c3 - d4 * s3);
             const double Y1_2 = d4 * c3 + a3 * s3;
             const double S2 = Z1_3 * X1_2 - root1 * Y1_2;
             const double C2 = root1 * X1_2 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v5) : C2 * factor2, s2 = free2 ? sin(v5) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
 
             /* theta4 */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v7 = c23 * v6 + T33 * s23;
-            const double w4 = sqrt(v7 * v7 + v8);
+                v6 = c23 * v5 + T33 * s23;
+            const double w4 = sqrt(v6 * v6 + v7);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = s23 * v6 - T33 * c23;
+            const double c5 = s23 * v5 - T33 * c23;
 
             /* theta6 */
-            const double v11 = c23 * v10 + T32 * s23, v14 = c23 * v13 + T31 * s23;
+            const double v10 = c23 * v9 + T32 * s23, v13 = c23 * v12 + T31 * s23;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -225,13 +220,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(seed[3]) : v7 * factor4,
+                const double c4 = free4 ? cos(seed[3]) : v6 * factor4,
                     s4 = free4 ? sin(seed[3]) : Y4 * factor4;
                 const double q4 = atan2(s4, c4);
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
+                const double c6 = c4 * v8 + s4 * v10, s6 = c4 * v11 + s4 * v13;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
@@ -239,7 +234,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -488,12 +483,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9709, 0.9709, 0.9709, 1.0, 1.0, 1.0 }, 0.970873786407767, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, denso_vs060_fk,
     denso_vs060_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -65,7 +65,6 @@ longest3_reach = 0.3662266384417289  # the longest, with what rounding adds [m^2
 shortest3_reach = 2.3361558394664975e-05  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.36622663844159176  # the longest, where branches merge [m^2]
 shortest3_apart = 2.336155839576022e-05  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.0608999999999998e-24  # square of a length that fixes no angle [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 offset3 = -1.5707963267948966  # offset of joint 3 [rad]
@@ -97,7 +96,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.9709, 0.9709, 0.9709, 1.0, 1.0, 1.0), size=1.03,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -205,9 +204,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = wz - d1
     v2 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v5 = seed[1] + offset2
-
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -229,13 +225,13 @@ def _solve(pose, q_free, seed, moved, q, status):
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
-        v6 = T13 * c1 + T23 * s1
+        v5 = T13 * c1 + T23 * s1
         Y4 = T23 * c1 - T13 * s1
-        v8 = Y4 * Y4
+        v7 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9, v10, v12 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
-        v13 = T11 * c1 + T21 * s1
+        v8, v9, v11 = T12 * s1 - T22 * c1, T12 * c1 + T22 * s1, T11 * s1 - T21 * c1
+        v12 = T11 * c1 + T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -248,29 +244,27 @@ def _solve(pose, q_free, seed, moved, q, status):
             root3 = w3 * e3
             s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
 
-            # theta2
+            # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
             X1_2 = a2 + (a3 * c3 - d4 * s3)
             Y1_2 = d4 * c3 + a3 * s3
             S2 = Z1_3 * X1_2 - root1 * Y1_2
             C2 = root1 * X1_2 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v5) if free2 else C2 * factor2
-            s2 = math.sin(v5) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
 
             # theta4
             c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
-            v7 = c23 * v6 + T33 * s23
-            w4 = math.sqrt(v7 * v7 + v8)
+            v6 = c23 * v5 + T33 * s23
+            w4 = math.sqrt(v6 * v6 + v7)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = s23 * v6 - T33 * c23
+            c5 = s23 * v5 - T33 * c23
 
             # theta6
-            v11, v14 = c23 * v10 + T32 * s23, c23 * v13 + T31 * s23
+            v10, v13 = c23 * v9 + T32 * s23, c23 * v12 + T31 * s23
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -282,13 +276,13 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(seed[3]) if free4 else v7 * factor4
+                c4 = math.cos(seed[3]) if free4 else v6 * factor4
                 s4 = math.sin(seed[3]) if free4 else Y4 * factor4
                 q4 = _atan2(s4, c4)
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
+                c6, s6 = c4 * v8 + s4 * v10, c4 * v11 + s4 * v13
                 q6 = _atan2(s6, c6)
 
                 # joint values
@@ -296,7 +290,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged

@@ -36,7 +36,6 @@ static const double
     shortest3_reach = 0.0001439999999989892, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.07952399999999764, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.00014400000000010064, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.7724100000000002e-25, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     offset3 = 1.5707963267948966, /* offset of joint 3 [rad] */
     k1 = 0.039834, /* a2^2 + a3^2 [m^2] */
@@ -113,9 +112,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = T34 - d1;
     const double v1 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1[1, 4] and U1[2, 4] */
-    const double v6 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -135,7 +131,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double c3 = K3 * k2;
 
-        /* theta2 */
+        /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
         const double v3 = Z1_3 * Y1_2, v4 = root1 * Y1_2;
 
@@ -150,17 +146,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = root1 * v2 - v3;
             const double v5 = Z1_3 * v2 + v4;
             const double w2 = sqrt(S2 * S2 + v5 * v5);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : -(v5 * factor2),
-                s2 = free2 ? sin(v6) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = -(v5 * factor2), s2 = S2 * factor2;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
             const double q3 = dhgen_wrap(q2 + (atan2(s3, c3) - offset3));
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -168,15 +162,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef DOBOT_MAGICIAN_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-/* In formulas below, doubt_limit1 = 4.21e-05 [m],
- * doubt_limit_squared2 = 1.7724100000000003e-09 [m^2]. */
+/* In formulas below, doubt_limit1 = 4.21e-05 [m]. */
 static const double
     m1 = 1.77241e-09, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m3 = 1.8837681414751167e-13,
     m4 = 3.7037037037037037, /* a3 * k2 [m^-1] */
-    m5 = 0.012533333333333329, /* a3 * k1 * k2 - a2 [m] */
-    m6 = 3.141437208100001e-18; /* doubt_limit_squared2^2 [m^4] */
+    m5 = 0.012533333333333329; /* a3 * k1 * k2 - a2 [m] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -196,30 +188,28 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v2 = w3 - w3;
 
     /* theta2 */
-    const dhgen_wide v3 = m5 - m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * w1), S2_pp = v4 + v5,
-        S2_pm = v4 - v5, v6 = w3 * (m4 * Z1_3), v7 = w3 * (m4 * -Z1_3), v8 = w1 * -v3, v9 = w1 * v3,
-        v10 = v6 + v8, v11 = v7 + v8, v12 = v6 + v9, v13 = v7 + v9, v14 = S2_pp * S2_pp,
-        v15 = S2_pm * S2_pm;
+    const dhgen_wide v3 = m5 - m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * Z1_3),
+        v6 = w3 * (m4 * -Z1_3), v7 = w1 * -v3, v8 = w1 * v3;
 
     /* joint values */
-    const dhgen_wide angle2 = dhgen_atan2_wide(S2_pp, -v10), v16 = angle2 - offset2,
-        angle3 = dhgen_atan2_wide(S2_pm, -v11), v17 = angle3 - offset2,
-        angle4 = dhgen_atan2_wide(S2_pm, -v12), v18 = angle4 - offset2,
-        angle5 = dhgen_atan2_wide(S2_pp, -v13), v19 = angle5 - offset2,
-        q2_pp = dhgen_lowered_wide(v16), q2_pm = dhgen_lowered_wide(v17),
-        q2_mp = dhgen_lowered_wide(v18), q2_mm = dhgen_lowered_wide(v19),
-        angle6 = dhgen_atan2_wide(w3, N3 - k1), v20 = angle6 - offset3, v21 = offset3 + angle6,
-        q3_pp = dhgen_wrap_wide(q2_pp + v20), q3_pm = dhgen_wrap_wide(q2_pm - v21),
-        q3_mp = dhgen_wrap_wide(q2_mp + v20), q3_mm = dhgen_wrap_wide(q2_mm - v21),
-        v22 = dhgen_exceeds_wide(angle1, joints), v23 = dhgen_exceeds_wide(q1__m, joints),
+    const dhgen_wide v9 = w3 * (m4 * w1), v10 = v4 + v9, angle2 = dhgen_atan2_wide(v10, -(v5 + v7)),
+        v11 = angle2 - offset2, v12 = v4 - v9, angle3 = dhgen_atan2_wide(v12, -(v6 + v7)),
+        v13 = angle3 - offset2, angle4 = dhgen_atan2_wide(v12, -(v5 + v8)), v14 = angle4 - offset2,
+        angle5 = dhgen_atan2_wide(v10, -(v6 + v8)), v15 = angle5 - offset2,
+        q2_pp = dhgen_lowered_wide(v11), q2_pm = dhgen_lowered_wide(v13),
+        q2_mp = dhgen_lowered_wide(v14), q2_mm = dhgen_lowered_wide(v15),
+        angle6 = dhgen_atan2_wide(w3, N3 - k1), v16 = angle6 - offset3, v17 = offset3 + angle6,
+        q3_pp = dhgen_wrap_wide(q2_pp + v16), q3_pm = dhgen_wrap_wide(q2_pm - v17),
+        q3_mp = dhgen_wrap_wide(q2_mp + v16), q3_mm = dhgen_wrap_wide(q2_mm - v17),
+        v18 = dhgen_exceeds_wide(angle1, joints), v19 = dhgen_exceeds_wide(q1__m, joints),
         q1_pp = angle1 + v2, q1_mp = q1__m + v2,
-        excess_pp = dhgen_maximum_wide(dhgen_beyond_wide(q3_pp, joints + 2), dhgen_maximum_wide(v22,
+        excess_pp = dhgen_maximum_wide(dhgen_beyond_wide(q3_pp, joints + 2), dhgen_maximum_wide(v18,
             dhgen_beyond_wide(q2_pp, joints + 1))),
-        excess_pm = dhgen_maximum_wide(dhgen_beyond_wide(q3_pm, joints + 2), dhgen_maximum_wide(v22,
+        excess_pm = dhgen_maximum_wide(dhgen_beyond_wide(q3_pm, joints + 2), dhgen_maximum_wide(v18,
             dhgen_beyond_wide(q2_pm, joints + 1))),
-        excess_mp = dhgen_maximum_wide(dhgen_beyond_wide(q3_mp, joints + 2), dhgen_maximum_wide(v23,
+        excess_mp = dhgen_maximum_wide(dhgen_beyond_wide(q3_mp, joints + 2), dhgen_maximum_wide(v19,
             dhgen_beyond_wide(q2_mp, joints + 1))),
-        excess_mm = dhgen_maximum_wide(dhgen_beyond_wide(q3_mm, joints + 2), dhgen_maximum_wide(v23,
+        excess_mm = dhgen_maximum_wide(dhgen_beyond_wide(q3_mm, joints + 2), dhgen_maximum_wide(v19,
             dhgen_beyond_wide(q2_mm, joints + 1)));
 
     q[0] = q1_pp; q[1] = q2_pp; q[2] = q3_pp;
@@ -231,8 +221,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[9] = q1_mp; q[10] = q2_mm; q[11] = q3_mm;
     kind[3] = dhgen_kind_within_wide(q[9], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m3) | (v1 <= m1) | (v14 + v13 * v13 <= m6) | (v15
-        + v12 * v12 <= m6) | (v14 + v10 * v10 <= m6) | (v15 + v11 * v11 <= m6)) |
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3) <= m3)) |
         (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
         dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
@@ -260,22 +249,22 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v4 = m5 - m4 * N3, v5 = Z1_3 * v4;
-    const dhgen_four S2 = v5 + w3 * (m4 * (w1 * (e1 * e3))), v6 = w3 * (m4 * (e3 * Z1_3)),
-        v7 = w1 * (e1 * -v4), v8 = v6 + v7;
+    const dhgen_four v6 = w3 * (m4 * (e3 * Z1_3)), v7 = w1 * (e1 * -v4);
 
-    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
-        (S2 * S2 + v8 * v8 <= m6)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+    if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0)) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T24, w3, -T24, -T24),
-        dhgen_four_of(-T14, N3 - k1, -T14, -T14)), ratio2 = dhgen_ratio_four(S2, -v8);
+        dhgen_four_of(-T14, N3 - k1, -T14, -T14)),
+        ratio2 = dhgen_ratio_four(v5 + w3 * (m4 * (w1 * (e1 * e3))), -(v6 + v7));
     const dhgen_four packed1 = dhgen_angle_four(ratio1),
         angle1 = dhgen_shuffle(packed1, packed1, 0, 0, 0, 0),
         angle3 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2);
-    const dhgen_four q1_ = angle1 + v2 * (m2 * (e1 - 1.0)), v9 = angle2 - offset2,
-        q2 = dhgen_lowered_four(v9), v10 = e3 * angle3 - offset3, q3 = dhgen_wrap_four(q2 + v10),
-        v11 = dhgen_exceeds_four(q1_, joints), q1 = q1_ + v3,
-        excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v11,
+    const dhgen_four q1_ = angle1 + v2 * (m2 * (e1 - 1.0)), v8 = angle2 - offset2,
+        q2 = dhgen_lowered_four(v8), v9 = e3 * angle3 - offset3, q3 = dhgen_wrap_four(q2 + v9),
+        v10 = dhgen_exceeds_four(q1_, joints), q1 = q1_ + v3,
+        excess = dhgen_maximum_four(dhgen_beyond_four(q3, joints + 2), dhgen_maximum_four(v10,
             dhgen_beyond_four(q2, joints + 1)));
     const dhgen_four_mask outside = 0.0 < excess;
     if (dhgen_bits_four(dhgen_within_slack_four(excess)))
@@ -295,12 +284,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.375, 2.375, 2.375, 0.0, 0.0, 0.0 }, 2.375296912114014, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, dobot_magician_fk,
     dobot_magician_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -48,8 +48,7 @@ MAX_SOLUTIONS = 4
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 4.21e-05 [m],
-# doubt_limit_squared2 = 1.7724100000000003e-09 [m^2].
+# In formulas below, doubt_limit1 = 4.21e-05 [m].
 d1 = 0.139  # joint offset 1 [m]
 a2 = 0.135  # link length 2 [m]
 a3 = 0.147  # link length 3 [m]
@@ -60,7 +59,6 @@ longest3_reach = 0.07952400000002374  # the longest, with what rounding adds [m^
 shortest3_reach = 0.0001439999999989892  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.07952399999999764  # the longest, where branches merge [m^2]
 shortest3_apart = 0.00014400000000010064  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.7724100000000002e-25  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 offset3 = 1.5707963267948966  # offset of joint 3 [rad]
 k1 = 0.039834  # a2^2 + a3^2 [m^2]
@@ -76,13 +74,12 @@ m1 = 1.77241e-09  # doubt_limit1^2 [m^2]
 m3 = 1.8837681414751167e-13
 m4 = 3.7037037037037037  # a3 * k2 [m^-1]
 m5 = 0.012533333333333329  # a3 * k1 * k2 - a2 [m]
-m6 = 3.141437208100001e-18  # doubt_limit_squared2^2 [m^4]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="none",
     miss_weights=(2.375, 2.375, 2.375, 0.0, 0.0, 0.0), size=0.42100000000000004,
-    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -153,9 +150,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = T34 - d1
     v1 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v6 = seed[1] + offset2
-
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -177,7 +171,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
-        # theta2
+        # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + a3 * c3
         v3, v4 = Z1_3 * Y1_2, root1 * Y1_2
 
@@ -193,17 +187,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = root1 * v2 - v3
             v5 = Z1_3 * v2 + v4
             w2 = math.sqrt(S2 * S2 + v5 * v5)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v6) if free2 else -(v5 * factor2)
-            s2 = math.sin(v6) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = -(v5 * factor2), S2 * factor2
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
             q3 = _wrap(q2 + (_atan2(s3, c3) - offset3))
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free1 else OK
 
 
 @_HOW.merged
@@ -229,21 +221,19 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v3 = m5 - m4 * N3
-        v4, v5 = Z1_3 * v3, w3 * (m4 * w1)
-        S2_pp, S2_pm, v6 = v4 + v5, v4 - v5, w3 * (m4 * Z1_3)
-        v7, v8, v9 = w3 * (m4 * -Z1_3), w1 * -v3, w1 * v3
-        v10, v11, v12 = v6 + v8, v7 + v8, v6 + v9
-        v13, v14, v15 = v7 + v9, S2_pp * S2_pp, S2_pm * S2_pm
+        v4, v5, v6 = Z1_3 * v3, w3 * (m4 * Z1_3), w3 * (m4 * -Z1_3)
+        v7, v8 = w1 * -v3, w1 * v3
+
+        # joint values
+        v9 = w3 * (m4 * w1)
+        v10, v12 = v4 + v9, v4 - v9
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
-        kept[16 * w + k] = (
-            1.0 if abs(D3) <= m3 or v1 <= m1 or v14 + v13 * v13 <= m6 or v15 + v12 * v12 <= m6 or
-            v14 + v10 * v10 <= m6 or v15 + v11 * v11 <= m6 else kept[16 * w + k]
-        )
-        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = v2, -T24, S2_pp
-        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = S2_pm, S2_pm, S2_pp
-        turns[5 * w + k], turns[8 * w + k], turns[9 * w + k] = w3, -T14, -v10
-        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = -v11, -v12, -v13
+        kept[16 * w + k] = 1.0 if v1 <= m1 or abs(D3) <= m3 else kept[16 * w + k]
+        kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = v2, -T24, v10
+        turns[2 * w + k], turns[3 * w + k], turns[4 * w + k] = v12, v12, v10
+        turns[5 * w + k], turns[8 * w + k], turns[9 * w + k] = w3, -T14, -(v5 + v7)
+        turns[10 * w + k], turns[11 * w + k], turns[12 * w + k] = -(v6 + v7), -(v5 + v8), -(v6 + v8)
         turns[13 * w + k] = N3 - k1
     if w == 1 and kept[16] != 0.0:
         return
@@ -262,27 +252,27 @@ def _formulas(kept, turns, rows, w):
         q1__m = angle1 - math.copysign(half_turn, -T24)
 
         # joint values
-        v16, v17, v18 = angle2 - offset2, angle3 - offset2, angle4 - offset2
-        v19 = angle5 - offset2
-        q2_pp = v16 + (-turn if half_turn < v16 else 0.0)
-        q2_pm = v17 + (-turn if half_turn < v17 else 0.0)
-        q2_mp = v18 + (-turn if half_turn < v18 else 0.0)
-        q2_mm = v19 + (-turn if half_turn < v19 else 0.0)
-        v20, v21 = angle6 - offset3, offset3 + angle6
-        q3_pp, q3_pm, q3_mp = _wrap(q2_pp + v20), _wrap(q2_pm - v21), _wrap(q2_mp + v20)
-        q3_mm, v22, v23 = _wrap(q2_mm - v21), abs(angle1) - high1, abs(q1__m) - high1
+        v11, v13, v14 = angle2 - offset2, angle3 - offset2, angle4 - offset2
+        v15 = angle5 - offset2
+        q2_pp = v11 + (-turn if half_turn < v11 else 0.0)
+        q2_pm = v13 + (-turn if half_turn < v13 else 0.0)
+        q2_mp = v14 + (-turn if half_turn < v14 else 0.0)
+        q2_mm = v15 + (-turn if half_turn < v15 else 0.0)
+        v16, v17 = angle6 - offset3, offset3 + angle6
+        q3_pp, q3_pm, q3_mp = _wrap(q2_pp + v16), _wrap(q2_pm - v17), _wrap(q2_mp + v16)
+        q3_mm, v18, v19 = _wrap(q2_mm - v17), abs(angle1) - high1, abs(q1__m) - high1
         q1_pp, q1_mp = angle1 + v2, q1__m + v2
         excess_pp = (
-            max(max(low3 - q3_pp, q3_pp - high3), max(v22, max(low2 - q2_pp, q2_pp - high2)))
+            max(max(low3 - q3_pp, q3_pp - high3), max(v18, max(low2 - q2_pp, q2_pp - high2)))
         )
         excess_pm = (
-            max(max(low3 - q3_pm, q3_pm - high3), max(v22, max(low2 - q2_pm, q2_pm - high2)))
+            max(max(low3 - q3_pm, q3_pm - high3), max(v18, max(low2 - q2_pm, q2_pm - high2)))
         )
         excess_mp = (
-            max(max(low3 - q3_mp, q3_mp - high3), max(v23, max(low2 - q2_mp, q2_mp - high2)))
+            max(max(low3 - q3_mp, q3_mp - high3), max(v19, max(low2 - q2_mp, q2_mp - high2)))
         )
         excess_mm = (
-            max(max(low3 - q3_mm, q3_mm - high3), max(v23, max(low2 - q2_mm, q2_mm - high2)))
+            max(max(low3 - q3_mm, q3_mm - high3), max(v19, max(low2 - q2_mm, q2_mm - high2)))
         )
         outside_pp, outside_pm, outside_mp = 0.0 < excess_pp, 0.0 < excess_pm, 0.0 < excess_mp
         outside_mm = 0.0 < excess_mm

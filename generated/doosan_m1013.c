@@ -33,7 +33,6 @@ static const double
     a2 = 0.62, /* link length 2 [m] */
     d4 = 0.559, /* joint offset 4 [m] */
     d6 = 0.121, /* joint offset 6 [m] */
-    free_limit_squared2 = 2.211169e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.70230688067038e-07, /* a root of nothing, by rounding [m] */
     longest3 = 1.390041, /* square of the longest reach [m^2] */
     shortest3 = 0.003720999999999993, /* square of the shortest reach [m^2] */
@@ -147,55 +146,51 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
-    const double v1 = X1 * d2, v2 = wy * d2;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
+    const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
+    const double v2 = X1 * d2, v3 = wy * d2;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
-
-    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v8 = seed[1] + offset2;
+    const double v4 = Z1_3 * Z1_3;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v12 = seed[3] + offset4;
+    const double v11 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + X1 * root1)),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v1);
+        const double c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v3 + root1 * root1;
+        const double N3 = v4 + root1 * root1;
         const double K3 = N3 - k6;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double s3 = k5 * K3 * k7;
 
-        /* theta2 */
+        /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
         const double X1_2 = a2 + d4 * s3;
         const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4 */
-        const double v10 = T13 * c1 + T23 * s1;
+        const double v9 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v11 = Y4 * Y4;
+        const double v10 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 - T12 * s1, v14 = T12 * c1 + T22 * s1,
-            v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
+        const double v12 = T22 * c1 - T12 * s1, v13 = T12 * c1 + T22 * s1,
+            v15 = T21 * c1 - T11 * s1, v16 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -208,20 +203,19 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v6 - root1 * Y1_2;
             const double C2 = v7 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
 
             /* theta4 */
-            const double v9 = v5 * c2 + s3 * s2;
+            const double v8 = v5 * c2 + s3 * s2;
             const double s23 = s3 * c2 - v5 * s2;
-            const double X4 = v9 * v10 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v11);
+            const double X4 = v8 * v9 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v10);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v15 = T32 * s23 - v9 * v14, v18 = T31 * s23 - v9 * v17;
+            const double v14 = T32 * s23 - v8 * v13, v17 = T31 * s23 - v8 * v16;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -232,21 +226,21 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
-                    s4 = free4 ? sin(v12) : Y4 * factor4;
+                const double c4 = free4 ? cos(v11) : -(X4 * factor4),
+                    s4 = free4 ? sin(v11) : Y4 * factor4;
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
+                const double c6 = c4 * v12 + s4 * v14, s6 = c4 * v15 + s4 * v17;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
-                const double q5 = dhgen_wrap(atan2(s5, -(T33 * v9 + s23 * v10)) - offset5);
+                const double q5 = dhgen_wrap(atan2(s5, -(T33 * v8 + s23 * v9)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = free4 ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -255,16 +249,14 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef DOOSAN_M1013_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-/* In formulas below, doubt_limit_squared2 = 2.211169e-08 [m^2],
- * doubt_limit = 9.999999999999999e-05. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.0260300000002214e-12, /* 1000 * k3 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 4.863633051854654e-11,
     m3 = 0.8064516129032259, /* d4 * k5 * k7 [m^-1] */
     m4 = 0.057999193548387, /* a2 - d4 * k5 * k6 * k7 [m] */
-    m5 = 4.889268346561e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -381,14 +373,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v49 <= m6) | (v29 <= m5) | (v48 <= m6) | (v28 <= m5) | (v47 <= m6) |
-        (v27 <= m5) | (v46 <= m6) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3 * (k4 * w1)) <=
-        m2) | (v25 <= m5));
+    return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
+        (v49 <= m5) | (v48 <= m5) | (v46 <= m5) | (v47 <= m5));
 }
 
 #if DHGEN_LANES > 1
 static const double
-    m7 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, two signs in lanes. Returns how many rows are OK, or -1 if the pose has to be
  * left to `solve`. */
 DHGEN_ALWAYS
@@ -436,8 +427,8 @@ DHGEN_INLINE int solve_regular(
     const double v34 = copysign(DHGEN_HALF_TURN, v6);
     const dhgen_four v36 = dhgen_signed_four(DHGEN_HALF_TURN, Y4);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v22 <= m5) |
-        (v28 <= m6))) | (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v28 <= m5)) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(v6), 0, 5,
@@ -451,7 +442,7 @@ DHGEN_INLINE int solve_regular(
         angle4 = dhgen_angle_four(ratio3), angle1 = dhgen_angle_four(ratio4),
         angle5 = dhgen_angle_four(ratio5);
     const dhgen_four q6_m = angle1 - dhgen_signed_four(DHGEN_HALF_TURN, s6), v33 = angle2 - offset2,
-        q2_p = dhgen_raised_four(v33), v35 = e3 * angle3 + v34 * (m7 * (1.0 - e3)) - offset3,
+        q2_p = dhgen_raised_four(v33), v35 = e3 * angle3 + v34 * (m6 * (1.0 - e3)) - offset3,
         v37 = angle4 - offset4, v38 = angle4 - v36 - offset4, q4_p = dhgen_raised_four(v37),
         q4_m = dhgen_raised_four(v38), v39 = angle5 - offset5, v40 = offset5 + angle5,
         q5_p = dhgen_raised_four(v39),
@@ -473,12 +464,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[1] = { 3 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6725, 0.6725, 0.6725, 1.0, 1.0, 1.0 }, 0.6724949562878278, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, doosan_m1013_fk,
     doosan_m1013_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

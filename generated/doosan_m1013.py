@@ -52,14 +52,12 @@ MAX_SOLUTIONS = 8
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, reach_slack1 = 1.487e-13 [m], merge_slack1 = 1.487e-14 [m],
-# arm_size1 = 1.487 [m], doubt_limit_squared2 = 2.211169e-08 [m^2],
-# doubt_limit = 9.999999999999999e-05.
+# arm_size1 = 1.487 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.1525  # joint offset 1 [m]
 d2 = 0.0345  # joint offset 2 [m]
 a2 = 0.62  # link length 2 [m]
 d4 = 0.559  # joint offset 4 [m]
 d6 = 0.121  # joint offset 6 [m]
-free_limit_squared2 = 2.211169e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.70230688067038e-07  # a root of nothing, by rounding [m]
 longest3 = 1.390041  # square of the longest reach [m^2]
 shortest3 = 0.003720999999999993  # square of the shortest reach [m^2]
@@ -83,8 +81,7 @@ m1 = 1.0260300000002214e-12  # 1000 * k3 [m^2]
 m2 = 4.863633051854654e-11
 m3 = 0.8064516129032259  # d4 * k5 * k7 [m^-1]
 m4 = 0.057999193548387  # a2 - d4 * k5 * k6 * k7 [m]
-m5 = 4.889268346561e-16  # doubt_limit_squared2^2 [m^4]
-m6 = 9.999999999999999e-09  # doubt_limit^2
+m5 = 9.999999999999999e-09  # doubt_limit^2
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
@@ -187,59 +184,54 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
-    v1, v2 = X1 * d2, wy * d2
+    v1 = (w1 if apart1 else least_root1) * k4
+    inverse1 = 1.0 / (N1 if apart1 else d2 * math.sqrt(N1))
+    v2, v3 = X1 * d2, wy * d2
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
-    v3 = Z1_3 * Z1_3
-    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
-
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v8 = seed[1] + offset2
+    v4 = Z1_3 * Z1_3
 
     # theta4, type 2: U4[3, 3]
-    v12 = seed[3] + offset4
+    v11 = seed[3] + offset4
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else -(inverse1 * (v2 + X1 * root1))
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (wy * root1 - v1)
+        c1, s1 = -(inverse1 * (v3 + X1 * root1)), inverse1 * (wy * root1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v3 + root1 * root1
+        N3 = v4 + root1 * root1
         K3 = N3 - k6
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v4):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         s3 = k5 * K3 * k7
 
-        # theta2
+        # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2 = a2 + d4 * s3
         v6, v7 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
-        v10 = T13 * c1 + T23 * s1
+        v9 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v11 = Y4 * Y4
+        v10 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13, v14, v16 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
-        v17 = T11 * c1 + T21 * s1
+        v12, v13, v15 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
+        v16 = T11 * c1 + T21 * s1
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -253,21 +245,19 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v6 - root1 * Y1_2
             C2 = v7 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v8) if free2 else C2 * factor2
-            s2 = math.sin(v8) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
 
             # theta4
-            v9 = v5 * c2 + s3 * s2
+            v8 = v5 * c2 + s3 * s2
             s23 = s3 * c2 - v5 * s2
-            X4 = v9 * v10 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v11)
+            X4 = v8 * v9 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v10)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v15, v18 = T32 * s23 - v9 * v14, T31 * s23 - v9 * v17
+            v14, v17 = T32 * s23 - v8 * v13, T31 * s23 - v8 * v16
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -279,21 +269,21 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(v12) if free4 else -(X4 * factor4)
-                s4 = math.sin(v12) if free4 else Y4 * factor4
+                c4 = math.cos(v11) if free4 else -(X4 * factor4)
+                s4 = math.sin(v11) if free4 else Y4 * factor4
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v13 + s4 * v15, c4 * v16 + s4 * v18
+                c6, s6 = c4 * v12 + s4 * v14, c4 * v15 + s4 * v17
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
-                q5 = _wrap(_atan2(s5, -(T33 * v9 + s23 * v10)) - offset5)
+                q5 = _wrap(_atan2(s5, -(T33 * v8 + s23 * v9)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free4 else OK
 
 
 @_HOW.merged
@@ -374,8 +364,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v49 <= m6 or v29 <= m5 or v48 <= m6 or v28 <= m5 or v47 <= m6 or v27 <= m5 or v46
-            <= m6 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v25 <= m5 else kept[16 * w + k]
+            1.0 if abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v49 <= m5 or v48 <= m5 or v46 <= m5
+            or v47 <= m5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v7
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pp, s6_pm, s6_mp

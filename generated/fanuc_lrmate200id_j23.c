@@ -32,7 +32,6 @@ static const double
     shortest3_reach = 4.655873108778226e-05, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.4446534412688952, /* the longest, where branches merge [m^2] */
     shortest3_apart = 4.655873108952359e-05, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.3456000000000002e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
@@ -152,9 +151,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = t34 - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1[1, 4] and U1[2, 4] */
-    const double v6 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -175,13 +171,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v7 = T11 * c1 + T21 * s1;
+        const double v6 = T11 * c1 + T21 * s1;
         const double Y4 = T11 * s1 - T21 * c1;
-        const double v8 = Y4 * Y4;
+        const double v7 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T22 * c1 - T12 * s1, v10 = T12 * c1 + T22 * s1, v12 = T23 * c1 - T13 * s1,
-            v13 = T13 * c1 + T23 * s1;
+        const double v8 = T22 * c1 - T12 * s1, v9 = T12 * c1 + T22 * s1, v11 = T23 * c1 - T13 * s1,
+            v12 = T13 * c1 + T23 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -190,30 +186,28 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double root3 = w3 * e3;
             const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
 
-            /* theta2 */
+            /* theta2, type 3: U1[1, 4] and U1[2, 4] */
             const double X1_2 = a3 * s3 - d4 * c3;
             const double Y1_2 = a2 + (a3 * c3 + d4 * s3);
             const double v5 = v1 * X1_2 + Z1_3 * Y1_2;
             const double C2 = Z1_3 * X1_2 - v1 * Y1_2;
             const double w2 = sqrt(v5 * v5 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2,
-                s2 = free2 ? sin(v6) : -(v5 * factor2);
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = -(v5 * factor2);
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
             const double s2m3 = c3 * s2 - s3 * c2;
-            const double X4 = c2m3 * v7 - T31 * s2m3;
-            const double w4 = sqrt(X4 * X4 + v8);
+            const double X4 = c2m3 * v6 - T31 * s2m3;
+            const double w4 = sqrt(X4 * X4 + v7);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T31 * c2m3 + s2m3 * v7;
+            const double c5 = T31 * c2m3 + s2m3 * v6;
 
             /* theta6 */
-            const double v11 = T32 * s2m3 - c2m3 * v10, v14 = T33 * s2m3 - c2m3 * v13;
+            const double v10 = T32 * s2m3 - c2m3 * v9, v13 = T33 * s2m3 - c2m3 * v12;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -230,7 +224,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v9 + s4 * v11, s6 = c4 * v12 + s4 * v14;
+                const double c6 = c4 * v8 + s4 * v10, s6 = c4 * v11 + s4 * v13;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
@@ -238,7 +232,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -266,12 +260,12 @@ DHGEN_TABLE struct dhgen_coupling coupling = {
         sum_highest, sum_slacks,
 };
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0 }, 0.8620689655172413, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
     fanuc_lrmate200id_j23_fk, fanuc_lrmate200id_j23_jacobian, solve,
     NULL,

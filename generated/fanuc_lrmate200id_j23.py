@@ -66,7 +66,6 @@ longest3_reach = 0.44465344126906536  # the longest, with what rounding adds [m^
 shortest3_reach = 4.655873108778226e-05  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.4446534412688952  # the longest, where branches merge [m^2]
 shortest3_apart = 4.655873108952359e-05  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.3456000000000002e-24  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 offset5 = 3.141592653589793  # offset of joint 5 [rad]
@@ -99,7 +98,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.8621, 0.8621, 0.8621, 1.0, 1.0, 1.0), size=1.1600000000000001,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ), coupling=_COUPLING)
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -215,9 +214,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = t34 - d1
     v2 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1[1, 4] and U1[2, 4]
-    v6 = seed[1] + offset2
-
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -240,13 +236,13 @@ def _solve(pose, q_free, seed, moved, q, status):
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
-        v7 = T11 * c1 + T21 * s1
+        v6 = T11 * c1 + T21 * s1
         Y4 = T11 * s1 - T21 * c1
-        v8 = Y4 * Y4
+        v7 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v9, v10, v12 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T23 * c1 - T13 * s1
-        v13 = T13 * c1 + T23 * s1
+        v8, v9, v11 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T23 * c1 - T13 * s1
+        v12 = T13 * c1 + T23 * s1
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -256,30 +252,28 @@ def _solve(pose, q_free, seed, moved, q, status):
             root3 = w3 * e3
             s3, c3 = (v3 + k2 * root3) * k4, k4 * (v4 - k1 * root3)
 
-            # theta2
+            # theta2, type 3: U1[1, 4] and U1[2, 4]
             X1_2 = a3 * s3 - d4 * c3
             Y1_2 = a2 + (a3 * c3 + d4 * s3)
             v5 = v1 * X1_2 + Z1_3 * Y1_2
             C2 = Z1_3 * X1_2 - v1 * Y1_2
             w2 = math.sqrt(v5 * v5 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v6) if free2 else C2 * factor2
-            s2 = math.sin(v6) if free2 else -(v5 * factor2)
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, -(v5 * factor2)
 
             # theta4
             c2m3 = c3 * c2 + s3 * s2
             s2m3 = c3 * s2 - s3 * c2
-            X4 = c2m3 * v7 - T31 * s2m3
-            w4 = math.sqrt(X4 * X4 + v8)
+            X4 = c2m3 * v6 - T31 * s2m3
+            w4 = math.sqrt(X4 * X4 + v7)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T31 * c2m3 + s2m3 * v7
+            c5 = T31 * c2m3 + s2m3 * v6
 
             # theta6
-            v11, v14 = T32 * s2m3 - c2m3 * v10, T33 * s2m3 - c2m3 * v13
+            v10, v13 = T32 * s2m3 - c2m3 * v9, T33 * s2m3 - c2m3 * v12
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -297,7 +291,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v9 + s4 * v11, c4 * v12 + s4 * v14
+                c6, s6 = c4 * v8 + s4 * v10, c4 * v11 + s4 * v13
                 q6 = _atan2(s6, c6)
 
                 # joint values
@@ -305,7 +299,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 _CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose"))

@@ -34,7 +34,6 @@ static const double
     shortest2_reach = 0.009999999999989996, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.249999999999995, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000000000000994, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 2.5e-25, /* square of a length that fixes no angle [m^2] */
     k1 = 0.13, /* crank^2 + rod^2 [m^2] */
     k2 = 8.333333333333334; /* 1 / (2 * rod * crank) [m^-2] */
 
@@ -87,7 +86,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[2] = (double (*)[2])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
@@ -115,14 +114,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S1 = v1 - T14 * Y1_1;
         const double C1 = v2 + T24 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double factor1 = 1.0 / w1;
+        const double c1 = C1 * factor1, s1 = S1 * factor1;
         const double q1 = atan2(s1, c1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -199,14 +196,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[2] = { 3, 7 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     2, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 2.0, 2.0, 0.0, 0.0, 0.0, 0.0 }, 2.0, { 1e-14, 1e-14 }, entries, 2,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, five_bar_leg_fk,
-    five_bar_leg_jacobian, solve,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, five_bar_leg_fk, five_bar_leg_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -39,7 +39,6 @@ static const double
     shortest3_reach = 0.0026009999999930854, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.10824099999999555, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0026010000000006904, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 4.594128399999999e-25, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 6.778e-06, /* a pose may be rounded by this [m] */
     offset4 = -1.5707963267948966, /* offset of joint 4 [rad] */
@@ -204,10 +203,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v9 - Z2_3 * Y1_2;
             const double C2 = v10 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
             const double q2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
@@ -221,7 +218,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double q4 = dhgen_wrap(theta234 - (q3 + q2) - offset4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -230,7 +227,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 6.777999999999999e-05 [m],
- * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.594128399999999e-09 [m^2]. */
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 4.594128399999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */
@@ -238,12 +235,11 @@ static const double
     m4 = 4.706018907896038e-13,
     m5 = 2.631578947368421, /* a3 * k2 [m^-1] */
     m6 = 0.04415526315789473, /* a2 - a3 * k1 * k2 [m] */
-    m7 = 2.1106015755686554e-17, /* doubt_limit_squared2^2 [m^4] */
-    m8 = 0.19, /* a2 [m] */
-    m9 = 0.139, /* a3 [m] */
-    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m11 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
-    m12 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
+    m7 = 0.19, /* a2 [m] */
+    m8 = 0.139, /* a3 [m] */
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 4.5941284e-11, /* pose_slack1^2 [m^2] */
+    m11 = 1.37823852e-10; /* 3 * pose_slack1^2 [m^2] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -293,8 +289,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle8 = dhgen_atan2_wide(S2_pp, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v34 = m8 + m9 * c3, v35 = v19 * v34 - m9 * (s3 * v13),
-        v36 = v9 + w2_pp * (v30 * v35), v37 = m9 * (s3 * v14),
+    const dhgen_wide v34 = m7 + m8 * c3, v35 = v19 * v34 - m8 * (s3 * v13),
+        v36 = v9 + w2_pp * (v30 * v35), v37 = m8 * (s3 * v14),
         v38 = v9 + w2_pm * (v31 * (v20 * v34 + v37)), v39 = w2_mp * (v32 * (-v20 * v34 - v37)) - v9,
         v40 = w2_mm * (v33 * -v35) - v9, v41 = d1 + v8, v42 = T33 - T33 * factor234,
         v43 = T31 - factor234 * (Z2_234 * v6), v44 = T23 - factor234 * (s1 * Z2_234),
@@ -323,10 +319,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v73 = dhgen_pick_wide(-v69 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
             dhgen_only_wide(DHGEN_HALF_TURN < -v69, -DHGEN_TURN)) - v69;
     const double v74 = DHGEN_NAN;
-    const dhgen_wide v75 = dhgen_only_wide((v62 <= m11) == 0, v74),
-        v76 = dhgen_only_wide((v63 <= m11) == 0, v74),
-        v77 = dhgen_only_wide((v64 <= m11) == 0, v74),
-        v78 = dhgen_only_wide((v65 <= m11) == 0, v74), v79 = angle1 + v10,
+    const dhgen_wide v75 = dhgen_only_wide((v62 <= m10) == 0, v74),
+        v76 = dhgen_only_wide((v63 <= m10) == 0, v74),
+        v77 = dhgen_only_wide((v64 <= m10) == 0, v74),
+        v78 = dhgen_only_wide((v65 <= m10) == 0, v74), v79 = angle1 + v10,
         v80 = v10 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1)), v81 = angle3 + v10,
         v82 = v10 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -Z2_5));
 
@@ -344,10 +340,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v4 <= m3) | (dhgen_abs_wide(D3) <= m4) | ((m11
-        < v65) & (v65 <= m12)) | (v29 <= m7) | ((m11 < v64) & (v64 <= m12)) | (v28 <= m7) | ((m11 <
-        v63) & (v63 <= m12)) | (v27 <= m7) | ((m11 < v62) & (v62 <= m12)) | (m10 < v42 * v42 + v43 *
-        v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47) | (v25 <= m7));
+    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v4 <= m3) | (dhgen_abs_wide(D3) <= m4) | (m9 <
+        v42 * v42 + v43 * v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47) | ((m10 < v65) & (v65
+        <= m11)) | ((m10 < v64) & (v64 <= m11)) | ((m10 < v62) & (v62 <= m11)) | ((m10 < v63) & (v63
+        <= m11)));
 }
 
 #if DHGEN_LANES > 1
@@ -399,8 +395,8 @@ DHGEN_INLINE int solve_regular(
 
     /* is the pose one that the arm can take? */
     const dhgen_four v29 = e3 * s3, v30 = e1 * v12;
-    const double v31 = m8 + m9 * c3;
-    const dhgen_four v32 = v30 + w2 * (v28 * (v24 * v31 - m9 * (v17 * v29)));
+    const double v31 = m7 + m8 * c3;
+    const dhgen_four v32 = v30 + w2 * (v28 * (v24 * v31 - m8 * (v17 * v29)));
     const double v33 = d1 + v11, v34 = T33 - T33 * factor234, v35 = T31 - factor234 * (Z2_234 * v8),
         v36 = T23 - factor234 * (s1 * Z2_234),
         v37 = T21 + (c1 * v9 + factor234 * (v8 * (s1 * T33))),
@@ -412,11 +408,11 @@ DHGEN_INLINE int solve_regular(
 
     /* joint values */
     const double v48 = DHGEN_NAN;
-    const dhgen_four v49 = dhgen_only_four((v43 <= m11) == 0, v48);
+    const dhgen_four v49 = dhgen_only_four((v43 <= m10) == 0, v48);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= m7) |
-        ((m11 < v43) & (v43 <= m12)))) | (unsigned)((v5 <= m3) | (v1 <= m1) | (v6 <= m3) | (m10 <
-        v34 * v34 + v35 * v35 + v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39) | (fabs(D3) <= m4)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m10 < v43) &
+        (v43 <= m11))) | (unsigned)((v5 <= m3) | (v1 <= m1) | (v6 <= m3) | (m9 < v34 * v34 + v35 *
+        v35 + v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39) | (fabs(D3) <= m4)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, -Z2_234, -Z2_5, w3),
@@ -443,12 +439,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.475, 1.475, 1.475, 1.0, 1.0, 1.0 }, 1.475361463558572, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, katana_400_fk,
     katana_400_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -47,8 +47,7 @@ MAX_SOLUTIONS = 4
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 6.777999999999999e-05 [m], doubt_limit = 9.999999999999999e-05,
-# doubt_limit_squared2 = 4.594128399999999e-09 [m^2].
+# In formulas below, doubt_limit1 = 6.777999999999999e-05 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.2015  # joint offset 1 [m]
 a2 = 0.19  # link length 2 [m]
 a3 = 0.139  # link length 3 [m]
@@ -62,7 +61,6 @@ longest3_reach = 0.10824100000004461  # the longest, with what rounding adds [m^
 shortest3_reach = 0.0026009999999930854  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.10824099999999555  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0026010000000006904  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 4.594128399999999e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.778e-06  # a pose may be rounded by this [m]
 offset4 = -1.5707963267948966  # offset of joint 4 [rad]
@@ -74,18 +72,17 @@ m3 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 4.706018907896038e-13
 m5 = 2.631578947368421  # a3 * k2 [m^-1]
 m6 = 0.04415526315789473  # a2 - a3 * k1 * k2 [m]
-m7 = 2.1106015755686554e-17  # doubt_limit_squared2^2 [m^4]
-m8 = 0.19  # a2 [m]
-m9 = 0.139  # a3 [m]
-m10 = 1.0000000000000002e-10  # pose_slack^2
-m11 = 4.5941284e-11  # pose_slack1^2 [m^2]
-m12 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
+m7 = 0.19  # a2 [m]
+m8 = 0.139  # a3 [m]
+m9 = 1.0000000000000002e-10  # pose_slack^2
+m10 = 4.5941284e-11  # pose_slack1^2 [m^2]
+m11 = 1.37823852e-10  # 3 * pose_slack1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="rotation",
     miss_weights=(1.475, 1.475, 1.475, 1.0, 1.0, 1.0), size=0.6778,
-    steps=("retries", "follows seed"), choosable=(1, 0),
+    steps=("retries", "follows seed"), choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -251,10 +248,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v9 - Z2_3 * Y1_2
             C2 = v10 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
             q2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
@@ -271,7 +266,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             q[row, 3], q[row, 4] = q4, q5
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free1 else OK
 
 
 @_HOW.merged
@@ -335,9 +330,9 @@ def _formulas(kept, turns, rows, w):
         v32, v33 = 1.0 / v28, 1.0 / v29
 
         # is the pose one that the arm can take?
-        v34 = m8 + m9 * c3
-        v35 = v19 * v34 - m9 * (s3 * v13)
-        v36, v37 = v9 + w2_pp * (v30 * v35), m9 * (s3 * v14)
+        v34 = m7 + m8 * c3
+        v35 = v19 * v34 - m8 * (s3 * v13)
+        v36, v37 = v9 + w2_pp * (v30 * v35), m8 * (s3 * v14)
         v38, v39 = v9 + w2_pm * (v31 * (v20 * v34 + v37)), w2_mp * (v32 * (-v20 * v34 - v37)) - v9
         v40, v41, v42 = w2_mm * (v33 * -v35) - v9, d1 + v8, T33 - T33 * factor234
         v43, v44 = T31 - factor234 * (Z2_234 * v6), T23 - factor234 * (s1 * Z2_234)
@@ -359,17 +354,17 @@ def _formulas(kept, turns, rows, w):
 
         # joint values
         v74 = math.sqrt(-1.0)
-        v75 = 0.0 if v62 <= m11 else v74
-        v76 = 0.0 if v63 <= m11 else v74
-        v77 = 0.0 if v64 <= m11 else v74
-        v78 = 0.0 if v65 <= m11 else v74
+        v75 = 0.0 if v62 <= m10 else v74
+        v76 = 0.0 if v63 <= m10 else v74
+        v77 = 0.0 if v64 <= m10 else v74
+        v78 = 0.0 if v65 <= m10 else v74
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3) <= m4 or (m11 < v65 and v65 <= m12)
-            or v29 <= m7 or (m11 < v64 and v64 <= m12) or v28 <= m7 or (m11 < v63 and v63 <= m12) or
-            v27 <= m7 or (m11 < v62 and v62 <= m12) or m10 < v42 * v42 + v43 * v43 + v44 * v44 + v45
-            * v45 + v46 * v46 + v47 * v47 or v25 <= m7 else kept[16 * w + k]
+            1.0 if v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3) <= m4 or m9 < v42 * v42 + v43 * v43 +
+            v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47 or (m10 < v65 and v65 <= m11) or (m10 <
+            v64 and v64 <= m11) or (m10 < v62 and v62 <= m11) or (m10 < v63 and v63 <= m11) else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v10
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v75, v76, v77

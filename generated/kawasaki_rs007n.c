@@ -38,7 +38,6 @@ static const double
     shortest3_reach = 0.00039999999999532873, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.5328999999999829, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.00040000000000046796, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.3642239999999997e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset4 = 3.141592653589793, /* offset of joint 4 [rad] */
@@ -155,11 +154,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz + d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v6 = seed[1] + offset2;
-
     /* theta4, type 2: U4[3, 3] */
-    const double v12 = seed[3] + offset4;
+    const double v11 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -178,16 +174,16 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double s3 = k1 * K3 * k3;
 
-        /* theta2 */
+        /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
         const double X1_2 = a2 + d4 * s3;
         const double v4 = Z1_3 * X1_2, v5 = root1 * X1_2;
 
         /* theta4 */
-        const double v8 = T13 * c1 - T23 * s1, v10 = T23 * c1 + T13 * s1, v11 = v10 * v10;
+        const double v7 = T13 * c1 - T23 * s1, v9 = T23 * c1 + T13 * s1, v10 = v9 * v9;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 + T12 * s1, v14 = T12 * c1 - T22 * s1,
-            v16 = T21 * c1 + T11 * s1, v17 = T11 * c1 - T21 * s1;
+        const double v12 = T22 * c1 + T12 * s1, v13 = T12 * c1 - T22 * s1,
+            v15 = T21 * c1 + T11 * s1, v16 = T11 * c1 - T21 * s1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
@@ -203,22 +199,21 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v4 + root1 * X2_2;
             const double C2 = v5 - Z1_3 * X2_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2, s2 = free2 ? sin(v6) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
 
             /* theta4 */
             const double c2m3 = s3 * s2 - v3 * c2;
-            const double v7 = v3 * s2 + s3 * c2, v9 = c2m3 * v8 + T33 * v7;
-            const double w4 = sqrt(v9 * v9 + v11);
+            const double v6 = v3 * s2 + s3 * c2, v8 = c2m3 * v7 + T33 * v6;
+            const double w4 = sqrt(v8 * v8 + v10);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c2m3 - v7 * v8;
+            const double c5 = T33 * c2m3 - v6 * v7;
 
             /* theta6 */
-            const double v15 = c2m3 * v14 + T32 * v7, v18 = c2m3 * v17 + T31 * v7;
+            const double v14 = c2m3 * v13 + T32 * v6, v17 = c2m3 * v16 + T31 * v6;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -229,12 +224,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(v12) : v9 * factor4,
-                    s4 = free4 ? sin(v12) : -(v10 * factor4);
+                const double c4 = free4 ? cos(v11) : v8 * factor4,
+                    s4 = free4 ? sin(v11) : -(v9 * factor4);
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
+                const double c6 = c4 * v12 + s4 * v14, s6 = c4 * v15 + s4 * v17;
 
                 /* joint values */
                 const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
@@ -243,7 +238,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -253,15 +248,14 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00011679999999999999 [m],
- * doubt_limit_squared2 = 1.3642239999999998e-08 [m^2], doubt_limit = 9.999999999999999e-05. */
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 1.3642239999999998e-08, /* doubt_limit1^2 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.045264537377017e-12,
     m3 = 1.4084507042253522, /* d4 * k1 * k3 [m^-1] */
     m4 = 0.020563380281690184, /* d4 * k1 * k2 * k3 - a2 [m] */
-    m5 = 1.8611071221759995e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -399,17 +393,17 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v51 <= m6) | (v27 <= m5) | (v50 <= m6) | (v26 <= m5) | (v49 <= m6) |
-        (v25 <= m5) | (v48 <= m6) | (v1 <= m1) | (dhgen_abs_wide(D3) <= m2) | (v23 <= m5)) |
-        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
-        dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
-        dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
-        dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
+    return (exact == 0) | ((dhgen_abs_wide(D3) <= m2) | (v1 <= m1) | (v51 <= m5) | (v50 <= m5) |
+        (v48 <= m5) | (v49 <= m5)) | (dhgen_within_slack_wide(excess_mmm) |
+        dhgen_within_slack_wide(excess_mmp) | dhgen_within_slack_wide(excess_mpm) |
+        dhgen_within_slack_wide(excess_mpp) | dhgen_within_slack_wide(excess_pmm) |
+        dhgen_within_slack_wide(excess_pmp) | dhgen_within_slack_wide(excess_ppp) |
+        dhgen_within_slack_wide(excess_ppm));
 }
 
 #if DHGEN_LANES > 1
 static const double
-    m7 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, two signs in lanes. Returns how many rows are OK, or -1 if the pose has to be
  * left to `solve`. */
 DHGEN_ALWAYS
@@ -458,8 +452,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v41 = dhgen_signed_four(DHGEN_HALF_TURN, -(e1 * v28)),
         v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v21 <= m5) |
-        (v30 <= m6))) | (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v30 <= m5)) |
+        (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(wy, v5, wy, wy),
@@ -473,8 +467,8 @@ DHGEN_INLINE int solve_regular(
         angle3 = dhgen_shuffle(packed1, packed1, 1, 1, 1, 1), angle2 = dhgen_angle_four(ratio2),
         angle4 = dhgen_angle_four(ratio3), angle5 = dhgen_angle_four(ratio4),
         angle6 = dhgen_angle_four(ratio5);
-    const dhgen_four v37 = angle1 + v36 * (m7 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
-        q2_p = dhgen_lowered_four(v38), v40 = e3 * angle3 + v39 * (m7 * (1.0 - e3)) - offset3,
+    const dhgen_four v37 = angle1 + v36 * (m6 * (e1 - 1.0)) - offset1, v38 = angle2 - offset2,
+        q2_p = dhgen_lowered_four(v38), v40 = e3 * angle3 + v39 * (m6 * (1.0 - e3)) - offset3,
         q3_p = dhgen_raised_four(v40), v42 = angle4 - offset4, v43 = angle4 - v41 - offset4,
         q4_p = dhgen_raised_four(v42), q4_m = dhgen_raised_four(v43), v44 = angle5 - offset5,
         v45 = offset5 + angle5, q5_p = dhgen_raised_four(v44),
@@ -508,12 +502,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0 }, 0.8561643835616439, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kawasaki_rs007n_fk,
     kawasaki_rs007n_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -52,8 +52,7 @@ MAX_SOLUTIONS = 8
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 0.00011679999999999999 [m],
-# doubt_limit_squared2 = 1.3642239999999998e-08 [m^2], doubt_limit = 9.999999999999999e-05.
+# In formulas below, doubt_limit1 = 0.00011679999999999999 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.36  # joint offset 1 [m]
 a2 = 0.355  # link length 2 [m]
 d4 = 0.375  # joint offset 4 [m]
@@ -66,7 +65,6 @@ longest3_reach = 0.5329000000001705  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.00039999999999532873  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.5328999999999829  # the longest, where branches merge [m^2]
 shortest3_apart = 0.00040000000000046796  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.3642239999999997e-24  # square of a length that fixes no angle [m^2]
 offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 free_limit = 1e-12  # a length that fixes no angle
 offset4 = 3.141592653589793  # offset of joint 4 [rad]
@@ -85,15 +83,14 @@ m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 m2 = 9.045264537377017e-12
 m3 = 1.4084507042253522  # d4 * k1 * k3 [m^-1]
 m4 = 0.020563380281690184  # d4 * k1 * k2 * k3 - a2 [m]
-m5 = 1.8611071221759995e-16  # doubt_limit_squared2^2 [m^4]
-m6 = 9.999999999999999e-09  # doubt_limit^2
+m5 = 9.999999999999999e-09  # doubt_limit^2
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=8, directions="rotation",
     miss_weights=(0.8562, 0.8562, 0.8562, 1.0, 1.0, 1.0), size=1.168,
     steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(3, 1, 0),
+    choosable=(3, 0),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -203,11 +200,8 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_3 = wz + d1
     v2 = Z1_3 * Z1_3
 
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v6 = seed[1] + offset2
-
     # theta4, type 2: U4[3, 3]
-    v12 = seed[3] + offset4
+    v11 = seed[3] + offset4
 
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
@@ -229,17 +223,17 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         s3 = k1 * K3 * k3
 
-        # theta2
+        # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2 = a2 + d4 * s3
         v4, v5 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
-        v8, v10 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
-        v11 = v10 * v10
+        v7, v9 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
+        v10 = v9 * v9
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13, v14, v16 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
-        v17 = T11 * c1 - T21 * s1
+        v12, v13, v15 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
+        v16 = T11 * c1 - T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -256,24 +250,22 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v4 + root1 * X2_2
             C2 = v5 - Z1_3 * X2_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v6) if free2 else C2 * factor2
-            s2 = math.sin(v6) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
 
             # theta4
             c2m3 = s3 * s2 - v3 * c2
-            v7 = v3 * s2 + s3 * c2
-            v9 = c2m3 * v8 + T33 * v7
-            w4 = math.sqrt(v9 * v9 + v11)
+            v6 = v3 * s2 + s3 * c2
+            v8 = c2m3 * v7 + T33 * v6
+            w4 = math.sqrt(v8 * v8 + v10)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta5, type 3: U4[2, 3] and U4[1, 3]
-            c5 = T33 * c2m3 - v7 * v8
+            c5 = T33 * c2m3 - v6 * v7
 
             # theta6
-            v15, v18 = c2m3 * v14 + T32 * v7, c2m3 * v17 + T31 * v7
+            v14, v17 = c2m3 * v13 + T32 * v6, c2m3 * v16 + T31 * v6
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
@@ -285,12 +277,12 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(v12) if free4 else v9 * factor4
-                s4 = math.sin(v12) if free4 else -(v10 * factor4)
+                c4 = math.cos(v11) if free4 else v8 * factor4
+                s4 = math.sin(v11) if free4 else -(v9 * factor4)
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v13 + s4 * v15, c4 * v16 + s4 * v18
+                c6, s6 = c4 * v12 + s4 * v14, c4 * v15 + s4 * v17
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
@@ -299,7 +291,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free1 or free4 else OK
 
 
 @_HOW.merged
@@ -375,8 +367,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if v51 <= m6 or v27 <= m5 or v50 <= m6 or v26 <= m5 or v49 <= m6 or v25 <= m5 or v48
-            <= m6 or v1 <= m1 or abs(D3) <= m2 or v23 <= m5 else kept[16 * w + k]
+            1.0 if abs(D3) <= m2 or v1 <= m1 or v51 <= m5 or v50 <= m5 or v48 <= m5 or v49 <= m5
+            else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = wy, v4, v5
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c2m3_mp, c2m3_mm, v38

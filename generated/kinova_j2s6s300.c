@@ -34,7 +34,6 @@ static const double
     d3 = 0.0114, /* joint offset 3 [m] */
     d4 = 0.31105, /* joint offset 4 [m] */
     d6 = 0.26375, /* joint offset 6 [m] */
-    free_limit_squared2 = 1.6212928899999995e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.026528144692397e-07, /* a root of nothing, by rounding [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     longest3 = 0.5199131025, /* square of the longest reach [m^2] */
@@ -152,49 +151,45 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : -(k1 * sqrt(N1))));
-    const double v1 = X1 * k1, v2 = wy * k1, v3 = seed[0] + offset1;
+    const double v1 = (apart1 ? w1 : least_root1) * k5;
+    const double inverse1 = 1.0 / (apart1 ? N1 : -(k1 * sqrt(N1)));
+    const double v2 = X1 * k1, v3 = wy * k1;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = d6 * T33 - T34;
     const double Z1_3 = wz + d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
-
-    /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v9 = seed[1] + offset2;
+    const double v4 = Z1_3 * Z1_3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : inverse1 * (v2 - X1 * root1),
-            s1 = free1 ? sin(v3) : inverse1 * (v1 + wy * root1);
+        const double c1 = inverse1 * (v3 - X1 * root1), s1 = inverse1 * (v2 + wy * root1);
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
         const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
-        const double v6 = k6 * K3 * k8;
+        const double v5 = k6 * K3 * k8;
 
-        /* theta2 */
-        const double X1_2 = a2 + d4 * v6;
-        const double v7 = Z1_3 * X1_2, v8 = root1 * X1_2;
+        /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
+        const double X1_2 = a2 + d4 * v5;
+        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v10 = T13 * c1 - T23 * s1, v11 = T23 * c1 + T13 * s1, v12 = v11 * v11;
+        const double v8 = T13 * c1 - T23 * s1, v9 = T23 * c1 + T13 * s1, v10 = v9 * v9;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v13 = T22 * c1 + T12 * s1, v14 = T12 * c1 - T22 * s1,
-            v16 = T21 * c1 + T11 * s1, v17 = T11 * c1 - T21 * s1;
+        const double v11 = T22 * c1 + T12 * s1, v12 = T12 * c1 - T22 * s1,
+            v14 = T21 * c1 + T11 * s1, v15 = T11 * c1 - T21 * s1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
@@ -207,27 +202,26 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double X2_2 = d4 * c3;
-            const double S2 = v7 + root1 * X2_2;
-            const double C2 = v8 - Z1_3 * X2_2;
+            const double S2 = v6 + root1 * X2_2;
+            const double C2 = v7 - Z1_3 * X2_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v9) : C2 * factor2, s2 = free2 ? sin(v9) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
 
             /* theta4 */
-            const double c2m3 = c3 * c2 - v6 * s2;
-            const double s2m3 = c3 * s2 + v6 * c2;
-            const double X4 = T33 * s2m3 - c2m3 * v10;
-            const double w4 = sqrt(X4 * X4 + v12);
+            const double c2m3 = c3 * c2 - v5 * s2;
+            const double s2m3 = c3 * s2 + v5 * c2;
+            const double X4 = T33 * s2m3 - c2m3 * v8;
+            const double w4 = sqrt(X4 * X4 + v10);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v15 = c2m3 * v14 - T32 * s2m3, v18 = c2m3 * v17 - T31 * s2m3;
+            const double v13 = c2m3 * v12 - T32 * s2m3, v16 = c2m3 * v15 - T31 * s2m3;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
-            const double q3 = dhgen_wrap(atan2(-v6, c3) - offset3);
+            const double q3 = dhgen_wrap(atan2(-v5, c3) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e4 = i3 == 0 ? 1.0 : -1.0;
@@ -235,21 +229,21 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
                 const double c4 = free4 ? cos(seed[3]) : -(X4 * factor4),
-                    s4 = free4 ? sin(seed[3]) : -(v11 * factor4);
+                    s4 = free4 ? sin(seed[3]) : -(v9 * factor4);
                 const double q4 = atan2(s4, c4);
 
                 /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-                const double q5 = atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v10));
+                const double q5 = atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v8));
 
                 /* theta6 */
-                const double s6 = c4 * v16 + s4 * v18;
+                const double s6 = c4 * v14 + s4 * v16;
 
                 /* joint values */
-                const double q6 = dhgen_wrap(atan2(s6, -(c4 * v13 + s4 * v15)) - offset6);
+                const double q6 = dhgen_wrap(atan2(s6, -(c4 * v11 + s4 * v13)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = free4 ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -258,16 +252,14 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef KINOVA_J2S6S300_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-/* In formulas below, doubt_limit_squared2 = 1.6212928899999997e-08 [m^2],
- * doubt_limit = 9.999999999999999e-05. */
+/* In formulas below, doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 2.4956680000016215e-13, /* 1000 * k4 [m^2] */
     /* 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4] */
     m2 = 9.401396550145706e-12,
     m3 = 1.2195121951219514, /* d4 * k6 * k8 [m^-1] */
     m4 = 0.08700963109756096, /* a2 - d4 * k6 * k7 * k8 [m] */
-    m5 = 2.628590635164551e-16, /* doubt_limit_squared2^2 [m^4] */
-    m6 = 9.999999999999999e-09; /* doubt_limit^2 */
+    m5 = 9.999999999999999e-09; /* doubt_limit^2 */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -434,9 +426,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v42 <= m6) | (v24 <= m5) | (v41 <= m6) | (v40 <= m6) | (v23 <= m5) |
-        (v39 <= m6) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3 * (k5 * w1)) <= m2) | (v22 <=
-        m5)) | (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+    return (exact == 0) | ((dhgen_abs_wide(D3 * (k5 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
+        (v42 <= m5) | (v41 <= m5) | (v39 <= m5) | (v40 <= m5)) |
+        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
         dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
@@ -444,7 +436,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
 #if DHGEN_LANES > 1
 static const double
-    m7 = 0.5; /* 1 / 2 */
+    m6 = 0.5; /* 1 / 2 */
 /* One regular pose, two signs in lanes. Returns how many rows are OK, or -1 if the pose has to be
  * left to `solve`. */
 DHGEN_ALWAYS
@@ -492,8 +484,8 @@ DHGEN_INLINE int solve_regular(
     /* joint values */
     const double v35 = copysign(DHGEN_HALF_TURN, -v5);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v21 <= m5) |
-        (v27 <= m6))) | (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v27 <= m5)) |
+        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(-v5), 0,
@@ -507,7 +499,7 @@ DHGEN_INLINE int solve_regular(
         angle1 = dhgen_angle_four(ratio3), angle6 = dhgen_angle_four(ratio4),
         angle2 = dhgen_angle_four(ratio5);
     const dhgen_four q4_m = angle1 - v28, v33 = angle3 - offset1, v34 = angle4 - offset2,
-        q2_ = dhgen_raised_four(v34), v36 = e3 * angle5 + v35 * (m7 * (1.0 - e3)) - offset3,
+        q2_ = dhgen_raised_four(v34), v36 = e3 * angle5 + v35 * (m6 * (1.0 - e3)) - offset3,
         q3_ = dhgen_raised_four(v36), v37 = angle6 - offset6,
         v38 = angle6 - dhgen_signed_four(DHGEN_HALF_TURN, s6) - offset6,
         q6_p = dhgen_lowered_four(v37), q6_m = dhgen_lowered_four(v38),
@@ -549,12 +541,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[1] = { 3 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7854, 0.7854, 0.7854, 1.0, 1.0, 1.0 }, 0.7853608733212912, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kinova_j2s6s300_fk,
     kinova_j2s6s300_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

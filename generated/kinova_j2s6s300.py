@@ -53,15 +53,13 @@ MAX_SOLUTIONS = 8
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
 # In formulas below, reach_slack1 = 1.2733e-13 [m], merge_slack1 = 1.2733e-14 [m],
-# arm_size1 = 1.2732999999999999 [m], doubt_limit_squared2 = 1.6212928899999997e-08 [m^2],
-# doubt_limit = 9.999999999999999e-05.
+# arm_size1 = 1.2732999999999999 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.2755  # joint offset 1 [m]
 d2 = 0.0016  # joint offset 2 [m]
 a2 = 0.41  # link length 2 [m]
 d3 = 0.0114  # joint offset 3 [m]
 d4 = 0.31105  # joint offset 4 [m]
 d6 = 0.26375  # joint offset 6 [m]
-free_limit_squared2 = 1.6212928899999995e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.026528144692397e-07  # a root of nothing, by rounding [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 longest3 = 0.5199131025  # square of the longest reach [m^2]
@@ -93,8 +91,7 @@ m1 = 2.4956680000016215e-13  # 1000 * k4 [m^2]
 m2 = 9.401396550145706e-12
 m3 = 1.2195121951219514  # d4 * k6 * k8 [m^-1]
 m4 = 0.08700963109756096  # a2 - d4 * k6 * k7 * k8 [m]
-m5 = 2.628590635164551e-16  # doubt_limit_squared2^2 [m^4]
-m6 = 9.999999999999999e-09  # doubt_limit^2
+m5 = 9.999999999999999e-09  # doubt_limit^2
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
@@ -109,7 +106,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(3, 1, 0),
+    choosable=(3,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -208,54 +205,49 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k2
     apart1 = k4 < D1
     if not (-k3 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else -(k1 * math.sqrt(N1))))
-    v1, v2, v3 = X1 * k1, wy * k1, seed[0] + offset1
+    v1 = (w1 if apart1 else least_root1) * k5
+    inverse1 = 1.0 / (N1 if apart1 else -(k1 * math.sqrt(N1)))
+    v2, v3 = X1 * k1, wy * k1
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = d6 * T33 - T34
     Z1_3 = wz + d1
     v4 = Z1_3 * Z1_3
-    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
-
-    # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v9 = seed[1] + offset2
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(v3) if free1 else inverse1 * (v2 - X1 * root1)
-        s1 = math.sin(v3) if free1 else inverse1 * (v1 + wy * root1)
+        c1, s1 = inverse1 * (v3 - X1 * root1), inverse1 * (v2 + wy * root1)
 
         # theta3
         N3 = v4 + root1 * root1
         K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v5):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
-        v6 = k6 * K3 * k8
+        v5 = k6 * K3 * k8
 
-        # theta2
-        X1_2 = a2 + d4 * v6
-        v7, v8 = Z1_3 * X1_2, root1 * X1_2
+        # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
+        X1_2 = a2 + d4 * v5
+        v6, v7 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4, type 2: U4[3, 3]
-        v10, v11 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
-        v12 = v11 * v11
+        v8, v9 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
+        v10 = v9 * v9
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v13, v14, v16 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
-        v17 = T11 * c1 - T21 * s1
+        v11, v12, v14 = T22 * c1 + T12 * s1, T12 * c1 - T22 * s1, T21 * c1 + T11 * s1
+        v15 = T11 * c1 - T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -269,28 +261,26 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             X2_2 = d4 * c3
-            S2 = v7 + root1 * X2_2
-            C2 = v8 - Z1_3 * X2_2
+            S2 = v6 + root1 * X2_2
+            C2 = v7 - Z1_3 * X2_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v9) if free2 else C2 * factor2
-            s2 = math.sin(v9) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
 
             # theta4
-            c2m3 = c3 * c2 - v6 * s2
-            s2m3 = c3 * s2 + v6 * c2
-            X4 = T33 * s2m3 - c2m3 * v10
-            w4 = math.sqrt(X4 * X4 + v12)
+            c2m3 = c3 * c2 - v5 * s2
+            s2m3 = c3 * s2 + v5 * c2
+            X4 = T33 * s2m3 - c2m3 * v8
+            w4 = math.sqrt(X4 * X4 + v10)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v15, v18 = c2m3 * v14 - T32 * s2m3, c2m3 * v17 - T31 * s2m3
+            v13, v16 = c2m3 * v12 - T32 * s2m3, c2m3 * v15 - T31 * s2m3
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(-v6, c3) - offset3)
+            q3 = _wrap(_atan2(-v5, c3) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -299,21 +289,21 @@ def _solve(pose, q_free, seed, moved, q, status):
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
                 c4 = math.cos(seed[3]) if free4 else -(X4 * factor4)
-                s4 = math.sin(seed[3]) if free4 else -(v11 * factor4)
+                s4 = math.sin(seed[3]) if free4 else -(v9 * factor4)
                 q4 = _atan2(s4, c4)
 
                 # theta5, type 3: U4[2, 3] and U4[1, 3]
-                q5 = _atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v10))
+                q5 = _atan2(-(w4 * e4), -(T33 * c2m3 + s2m3 * v8))
 
                 # theta6
-                s6 = c4 * v16 + s4 * v18
+                s6 = c4 * v14 + s4 * v16
 
                 # joint values
-                q6 = _wrap(_atan2(s6, -(c4 * v13 + s4 * v15)) - offset6)
+                q6 = _wrap(_atan2(s6, -(c4 * v11 + s4 * v13)) - offset6)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free4 else OK
 
 
 @_HOW.merged
@@ -391,8 +381,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if v42 <= m6 or v24 <= m5 or v41 <= m6 or v40 <= m6 or v23 <= m5 or v39 <= m6 or
-            abs(D1) <= m1 or abs(D3 * (k5 * w1)) <= m2 or v22 <= m5 else kept[16 * w + k]
+            1.0 if abs(D3 * (k5 * w1)) <= m2 or abs(D1) <= m1 or v42 <= m5 or v41 <= m5 or v39 <= m5
+            or v40 <= m5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v4, v5
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v43, v44, s6_pp

@@ -40,7 +40,6 @@ static const double
     shortest3_reach = 0.00039999999999724956, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.08409999999999603, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.00040000000000027465, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 4.7265625e-25, /* square of a length that fixes no angle [m^2] */
     offset2 = 1.5707963267948966, /* offset of joint 2 [rad] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 6.875e-06, /* a pose may be rounded by this [m] */
@@ -144,9 +143,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v7 = T34 - d1;
 
-    /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v11 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* front, back */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -189,12 +185,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double c3 = K3 * k2;
 
-        /* theta2 */
+        /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
         const double v9 = Z1_3 * X1_2, v10 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v12 = a1 + v8, v14 = d1 + v6;
+        const double v11 = a1 + v8, v13 = d1 + v6;
         if (!(fabs(T33 - v2) <= pose_slack && fabs(T31 + s234 * v4) <= pose_slack && fabs(T23 - s1 *
             s234) <= pose_slack && fabs(T21 - (v4 * (s1 * v2) + c1 * v5)) <= pose_slack && fabs(T11
             - (v4 * (c1 * v2) - s1 * v5)) <= pose_slack && fabs(T13 - c1 * s234) <= pose_slack))
@@ -212,16 +208,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v9 - Z2_3 * Y1_2;
             const double C2 = v10 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v11) : C2 * factor2, s2 = free2 ? sin(v11) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v13 = a3 * c23 + (a2 * c2 + v12);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && fabs(T14 - c1 * v13) <=
-                pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1))
+                v12 = a3 * c23 + (a2 * c2 + v11);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 && fabs(T14 - c1 * v12) <=
+                pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -229,7 +224,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double q4 = dhgen_wrap(theta234 - (q3 + theta2) - offset4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -238,7 +233,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 6.874999999999999e-05 [m],
- * doubt_limit = 9.999999999999999e-05, doubt_limit_squared2 = 4.7265624999999994e-09 [m^2]. */
+ * doubt_limit = 9.999999999999999e-05. */
 static const double
     m1 = 4.726562499999999e-09, /* doubt_limit1^2 [m^2] */
     m3 = 9.999999999999999e-09, /* doubt_limit^2 */
@@ -246,13 +241,12 @@ static const double
     m4 = 3.345324017800363e-13,
     m5 = 3.2258064516129035, /* a3 * k2 [m^-1] */
     m6 = 0.018709677419354823, /* a2 - a3 * k1 * k2 [m] */
-    m7 = 2.2340393066406244e-17, /* doubt_limit_squared2^2 [m^4] */
-    m8 = 3.7037037037037037, /* a2 * k2 [m^-1] */
+    m7 = 3.7037037037037037, /* a2 * k2 [m^-1] */
     /* k2 * (a2 * k1 + a3 * longest3 * shortest3 * k2 - a3 * k1^2 * k2) [m] */
-    m9 = 0.021481481481481466,
-    m10 = 1.0000000000000002e-10, /* pose_slack^2 */
-    m11 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
-    m12 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
+    m8 = 0.021481481481481466,
+    m9 = 1.0000000000000002e-10, /* pose_slack^2 */
+    m10 = 4.7265625e-11, /* pose_slack1^2 [m^2] */
+    m11 = 1.41796875e-10; /* 3 * pose_slack1^2 [m^2] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */
@@ -306,7 +300,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle9 = dhgen_atan2_wide(S2_mm, C2_mm);
 
     /* is the pose one that the arm can take? */
-    const dhgen_wide v37 = m8 * Z1_3, v38 = m8 * -Z1_3, v39 = m8 * N3_p - m9, v40 = m8 * N3_m - m9,
+    const dhgen_wide v37 = m7 * Z1_3, v38 = m7 * -Z1_3, v39 = m7 * N3_p - m8, v40 = m7 * N3_m - m8,
         v41 = v15 * v39, v42 = v16 * v40, v43 = Z1_3 * v39, v44 = Z1_3 * v40, v45 = a1 + v14,
         v46 = a1 - v14, v47 = v45 + w2_pp * (v33 * (a3 * (v41 - w3_p * v37) + a2 * C2_pp)),
         v48 = v45 + w2_pm * (v34 * (a3 * (v41 - w3_p * v38) + a2 * C2_pm)),
@@ -317,13 +311,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v55 = T21 - (c1 * v8 + factor234 * (v7 * (s1 * T33))),
         v56 = T11 - (factor234 * (v7 * (c1 * T33)) - s1 * v8),
         v57 = T13 - factor234 * (c1 * Z2_234),
-        v58 = T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m8 *
+        v58 = T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m7 *
             v15)))),
-        v59 = T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m8 *
+        v59 = T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m7 *
             -v15)))),
-        v60 = T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m8 *
+        v60 = T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m7 *
             v16)))),
-        v61 = T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m8 *
+        v61 = T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m7 *
             -v16)))), v62 = T14 - c1 * v47, v63 = T14 - c1 * v48, v64 = T14 + c1 * v49,
         v65 = T14 + c1 * v50, v66 = T24 - s1 * v47, v67 = T24 - s1 * v48, v68 = T24 + s1 * v49,
         v69 = T24 + s1 * v50, v70 = v58 * v58 + v62 * v62 + v66 * v66,
@@ -341,10 +335,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v85 = dhgen_pick_wide(-v81 <= -DHGEN_HALF_TURN, dhgen_all_wide(DHGEN_TURN),
             dhgen_only_wide(DHGEN_HALF_TURN < -v81, -DHGEN_TURN)) - v81;
     const double v86 = DHGEN_NAN;
-    const dhgen_wide v87 = dhgen_only_wide((v70 <= m11) == 0, v86),
-        v88 = dhgen_only_wide((v71 <= m11) == 0, v86),
-        v89 = dhgen_only_wide((v72 <= m11) == 0, v86),
-        v90 = dhgen_only_wide((v73 <= m11) == 0, v86), v91 = angle1 + v19,
+    const dhgen_wide v87 = dhgen_only_wide((v70 <= m10) == 0, v86),
+        v88 = dhgen_only_wide((v71 <= m10) == 0, v86),
+        v89 = dhgen_only_wide((v72 <= m10) == 0, v86),
+        v90 = dhgen_only_wide((v73 <= m10) == 0, v86), v91 = angle1 + v19,
         v92 = v20 + (angle1 - dhgen_signed_wide(DHGEN_HALF_TURN, Yhat1)), v93 = angle3 + v19,
         v94 = v20 + (angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -S5));
 
@@ -362,11 +356,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v5 <= m3) | ((m11 < v73) & (v73 <= m12)) |
-        (v32 <= m7) | ((m11 < v72) & (v72 <= m12)) | (v31 <= m7) | ((m11 < v71) & (v71 <= m12)) |
-        (v30 <= m7) | ((m11 < v70) & (v70 <= m12)) | (v29 <= m7) | (m10 < v52 * v52 + v53 * v53 +
-        v54 * v54 + v55 * v55 + v56 * v56 + v57 * v57) | (dhgen_abs_wide(D3_p) <= m4) |
-        (dhgen_abs_wide(D3_m) <= m4));
+    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v5 <= m3) | (m9 < v52 * v52 + v53 * v53 + v54
+        * v54 + v55 * v55 + v56 * v56 + v57 * v57) | ((m10 < v73) & (v73 <= m11)) | ((m10 < v72) &
+        (v72 <= m11)) | ((m10 < v71) & (v71 <= m11)) | ((m10 < v70) & (v70 <= m11)) |
+        (dhgen_abs_wide(D3_p) <= m4) | (dhgen_abs_wide(D3_m) <= m4));
 }
 
 #if DHGEN_LANES > 1
@@ -417,25 +410,25 @@ DHGEN_INLINE int solve_regular(
         v28 = DHGEN_QUOTIENT(1.0, v27), factor2 = w2 * v28;
 
     /* is the pose one that the arm can take? */
-    const dhgen_four v29 = m8 * v24, v30 = m8 * N3 - m9, v31 = v18 * v30, v32 = Z1_3 * v30,
+    const dhgen_four v29 = m7 * v24, v30 = m7 * N3 - m8, v31 = v18 * v30, v32 = Z1_3 * v30,
         v33 = a1 + v17, v34 = v33 + w2 * (v28 * (a3 * (v31 - w3 * v29) + a2 * C2));
     const double v35 = d1 + v12, v36 = T33 - T33 * factor234, v37 = T31 + factor234 * (Z2_234 * v9),
         v38 = T23 - factor234 * (s1 * Z2_234),
         v39 = T21 - (c1 * v10 + factor234 * (v9 * (s1 * T33))),
         v40 = T11 - (factor234 * (v9 * (c1 * T33)) - s1 * v10),
         v41 = T13 - factor234 * (c1 * Z2_234);
-    const dhgen_four v42 = T34 - (v35 + factor2 * (a2 * S2) + factor2 * (a3 * (v32 + w3 * (m8 *
+    const dhgen_four v42 = T34 - (v35 + factor2 * (a2 * S2) + factor2 * (a3 * (v32 + w3 * (m7 *
         v21)))), v43 = T14 - e1 * (c1 * v34), v44 = T24 - e1 * (s1 * v34),
         v45 = v42 * v42 + v43 * v43 + v44 * v44;
 
     /* joint values */
     const double v51 = DHGEN_NAN;
-    const dhgen_four v52 = dhgen_only_four((v45 <= m11) == 0, v51);
+    const dhgen_four v52 = dhgen_only_four((v45 <= m10) == 0, v51);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m4) | ((v27 <= m7) | ((m11 < v45) & (v45 <= m12)))) | (unsigned)((v5
-        <= m3) | (v1 <= m1) | (m10 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41
-        * v41) | (v7 <= m3)))
+        (dhgen_abs_four(D3) <= m4) | ((m10 < v45) & (v45 <= m11))) | (unsigned)((v5 <= m3) | (v1 <=
+        m1) | (m9 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41) | (v7 <=
+        m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-S5, -S5, -S5, -S5),
@@ -467,12 +460,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.455, 1.455, 1.455, 1.0, 1.0, 1.0 }, 1.4545454545454546, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, kuka_youbot_fk,
     kuka_youbot_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -48,8 +48,7 @@ MAX_SOLUTIONS = 4
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-# In formulas below, doubt_limit1 = 6.874999999999999e-05 [m], doubt_limit = 9.999999999999999e-05,
-# doubt_limit_squared2 = 4.7265624999999994e-09 [m^2].
+# In formulas below, doubt_limit1 = 6.874999999999999e-05 [m], doubt_limit = 9.999999999999999e-05.
 d1 = 0.147  # joint offset 1 [m]
 a1 = 0.033  # link length 1 [m]
 a2 = 0.155  # link length 2 [m]
@@ -64,7 +63,6 @@ longest3_reach = 0.08410000000003988  # the longest, with what rounding adds [m^
 shortest3_reach = 0.00039999999999724956  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.08409999999999603  # the longest, where branches merge [m^2]
 shortest3_apart = 0.00040000000000027465  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 4.7265625e-25  # square of a length that fixes no angle [m^2]
 offset2 = 1.5707963267948966  # offset of joint 2 [rad]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 6.875e-06  # a pose may be rounded by this [m]
@@ -77,18 +75,17 @@ m3 = 9.999999999999999e-09  # doubt_limit^2
 m4 = 3.345324017800363e-13
 m5 = 3.2258064516129035  # a3 * k2 [m^-1]
 m6 = 0.018709677419354823  # a2 - a3 * k1 * k2 [m]
-m7 = 2.2340393066406244e-17  # doubt_limit_squared2^2 [m^4]
-m8 = 3.7037037037037037  # a2 * k2 [m^-1]
-m9 = 0.021481481481481466  # k2 * (a2 * k1 + a3 * longest3 * shortest3 * k2 - a3 * k1^2 * k2) [m]
-m10 = 1.0000000000000002e-10  # pose_slack^2
-m11 = 4.7265625e-11  # pose_slack1^2 [m^2]
-m12 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
+m7 = 3.7037037037037037  # a2 * k2 [m^-1]
+m8 = 0.021481481481481466  # k2 * (a2 * k1 + a3 * longest3 * shortest3 * k2 - a3 * k1^2 * k2) [m]
+m9 = 1.0000000000000002e-10  # pose_slack^2
+m10 = 4.7265625e-11  # pose_slack1^2 [m^2]
+m11 = 1.41796875e-10  # 3 * pose_slack1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="rotation",
     miss_weights=(1.455, 1.455, 1.455, 1.0, 1.0, 1.0), size=0.6875,
-    steps=("retries", "follows seed"), choosable=(1, 0),
+    steps=("retries", "follows seed"), choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -185,9 +182,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v7 = T34 - d1
 
-    # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v11 = seed[1] + offset2
-
     for i1 in range(2):  # front, back
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -233,12 +227,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
-        # theta2
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
         v9, v10 = Z1_3 * X1_2, Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v12, v14 = a1 + v8, d1 + v6
+        v11, v13 = a1 + v8, d1 + v6
         if (
             not (abs(T33 - v2) <= pose_slack and abs(T31 + s234 * v4) <= pose_slack and abs(T23 - s1
             * s234) <= pose_slack and abs(T21 - (v4 * (s1 * v2) + c1 * v5)) <= pose_slack and
@@ -260,18 +254,16 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v9 - Z2_3 * Y1_2
             C2 = v10 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v11) if free2 else C2 * factor2
-            s2 = math.sin(v11) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
-            v13 = a3 * c23 + (a2 * c2 + v12)
+            v12 = a3 * c23 + (a2 * c2 + v11)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and abs(T14 - c1 * v13)
-                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 and abs(T14 - c1 * v12)
+                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -281,7 +273,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             q[row, 3], q[row, 4] = q4, q5
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free1 else OK
 
 
 @_HOW.merged
@@ -345,8 +337,8 @@ def _formulas(kept, turns, rows, w):
         factor2_mm = w2_mm * v36
 
         # is the pose one that the arm can take?
-        v37, v38, v39 = m8 * Z1_3, m8 * -Z1_3, m8 * N3_p - m9
-        v40, v41 = m8 * N3_m - m9, v15 * v39
+        v37, v38, v39 = m7 * Z1_3, m7 * -Z1_3, m7 * N3_p - m8
+        v40, v41 = m7 * N3_m - m8, v15 * v39
         v42, v43, v44 = v16 * v40, Z1_3 * v39, Z1_3 * v40
         v45, v46 = a1 + v14, a1 - v14
         v47 = v45 + w2_pp * (v33 * (a3 * (v41 - w3_p * v37) + a2 * C2_pp))
@@ -357,16 +349,16 @@ def _formulas(kept, turns, rows, w):
         v54, v55 = T23 - factor234 * (s1 * Z2_234), T21 - (c1 * v8 + factor234 * (v7 * (s1 * T33)))
         v56, v57 = T11 - (factor234 * (v7 * (c1 * T33)) - s1 * v8), T13 - factor234 * (c1 * Z2_234)
         v58 = (
-            T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m8 * v15))))
+            T34 - (v51 + factor2_pp * (a2 * S2_pp) + factor2_pp * (a3 * (v43 + w3_p * (m7 * v15))))
         )
         v59 = (
-            T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m8 * -v15))))
+            T34 - (v51 + factor2_pm * (a2 * S2_pm) + factor2_pm * (a3 * (v43 + w3_p * (m7 * -v15))))
         )
         v60 = (
-            T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m8 * v16))))
+            T34 - (v51 + factor2_mp * (a2 * S2_mp) + factor2_mp * (a3 * (v44 + w3_m * (m7 * v16))))
         )
         v61 = (
-            T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m8 * -v16))))
+            T34 - (v51 + factor2_mm * (a2 * S2_mm) + factor2_mm * (a3 * (v44 + w3_m * (m7 * -v16))))
         )
         v62, v63, v64 = T14 - c1 * v47, T14 - c1 * v48, T14 + c1 * v49
         v65, v66, v67 = T14 + c1 * v50, T24 - s1 * v47, T24 - s1 * v48
@@ -376,18 +368,17 @@ def _formulas(kept, turns, rows, w):
 
         # joint values
         v86 = math.sqrt(-1.0)
-        v87 = 0.0 if v70 <= m11 else v86
-        v88 = 0.0 if v71 <= m11 else v86
-        v89 = 0.0 if v72 <= m11 else v86
-        v90 = 0.0 if v73 <= m11 else v86
+        v87 = 0.0 if v70 <= m10 else v86
+        v88 = 0.0 if v71 <= m10 else v86
+        v89 = 0.0 if v72 <= m10 else v86
+        v90 = 0.0 if v73 <= m10 else v86
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v3 <= m3 or v1 <= m1 or v5 <= m3 or (m11 < v73 and v73 <= m12) or v32 <= m7 or
-            (m11 < v72 and v72 <= m12) or v31 <= m7 or (m11 < v71 and v71 <= m12) or v30 <= m7 or
-            (m11 < v70 and v70 <= m12) or v29 <= m7 or m10 < v52 * v52 + v53 * v53 + v54 * v54 + v55
-            * v55 + v56 * v56 + v57 * v57 or abs(D3_p) <= m4 or abs(D3_m) <= m4 else kept[16 * w +
-            k]
+            1.0 if v3 <= m3 or v1 <= m1 or v5 <= m3 or m9 < v52 * v52 + v53 * v53 + v54 * v54 + v55
+            * v55 + v56 * v56 + v57 * v57 or (m10 < v73 and v73 <= m11) or (m10 < v72 and v72 <=
+            m11) or (m10 < v71 and v71 <= m11) or (m10 < v70 and v70 <= m11) or abs(D3_p) <= m4 or
+            abs(D3_m) <= m4 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, S5, v19
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v20, v87, v88

@@ -36,7 +36,6 @@ static const double
     shortest2_reach = 0.009999999999983007, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.48999999999998795, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000000000001705, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 7.224999999999999e-25, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 8.5e-06, /* a pose may be rounded by this [m] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
@@ -97,7 +96,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta123, type 3: U0[2, 1] and U0[1, 1] */
@@ -142,10 +141,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S1 = v4 - Z1_2 * Y1_1;
         const double C1 = v5 + Z2_2 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double factor1 = 1.0 / w1;
+        const double c1 = C1 * factor1, s1 = S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* is the pose one that the arm can take? */
@@ -158,7 +155,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double q3 = dhgen_wrap(theta123 - (q2 + q1));
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -292,14 +289,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.176, 1.176, 1.176, 1.0, 1.0, 1.0 }, 1.1764705882352942, { 1e-14, 1e-14 }, entries, 9,
-    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rrr_fk,
-    planar_rrr_jacobian, solve,
+    0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, planar_rrr_fk, planar_rrr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -54,7 +54,6 @@ longest2_reach = 0.490000000000119  # the longest, with what rounding adds [m^2]
 shortest2_reach = 0.009999999999983007  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.48999999999998795  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000001705  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 7.224999999999999e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8.5e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
@@ -170,10 +169,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v4 - Z1_2 * Y1_1
         C1 = v5 + Z2_2 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
@@ -188,7 +185,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         q3 = _wrap(theta123 - (q2 + q1))
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 @_HOW.merged

@@ -143,33 +143,32 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double t24 = T24 + D3 * T21 + k1 * T23;
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : D3 * sqrt(N1)));
-    const double v1 = D3 * t24, v2 = D3 * t14;
+    const double v1 = (apart1 ? w1 : least_root1) * k5;
+    const double inverse1 = 1.0 / (apart1 ? N1 : D3 * sqrt(N1));
+    const double v2 = D3 * t24, v3 = D3 * t14;
 
     /* theta3, type 8: U1[3, 4] and U1[2, 4] */
     const double t34 = T34 + D3 * T31 + k1 * T33;
-    const double v3 = t34 * t34, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
+    const double v4 = t34 * t34;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 + t24 * root1),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 - t14 * root1);
+        const double c1 = inverse1 * (v3 + t24 * root1), s1 = inverse1 * (v2 - t14 * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v3 + root1 * root1;
+        const double N3 = v4 + root1 * root1;
         const double K3 = N3 - k6;
         const double D3_ = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3_ * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3_)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3_ : 0.0);
         const double c3 = K3 * k7;
 
@@ -232,7 +231,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -436,12 +435,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.529, 0.529, 0.529, 1.0, 1.0, 1.0 }, 0.5290477290765635, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_fk,
     puma_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

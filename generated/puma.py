@@ -183,36 +183,34 @@ def _solve(pose, q_free, seed, moved, q, status):
     t24 = T24 + D3 * T21 + k1 * T23
     t14 = T14 + D3 * T11 + k1 * T13
     N1 = t24 * t24 + t14 * t14
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k2
     apart1 = k4 < D1
     if not (-k3 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else D3 * math.sqrt(N1)))
-    v1, v2 = D3 * t24, D3 * t14
+    v1 = (w1 if apart1 else least_root1) * k5
+    inverse1 = 1.0 / (N1 if apart1 else D3 * math.sqrt(N1))
+    v2, v3 = D3 * t24, D3 * t14
 
     # theta3, type 8: U1[3, 4] and U1[2, 4]
     t34 = T34 + D3 * T31 + k1 * T33
-    v3 = t34 * t34
-    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
+    v4 = t34 * t34
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 + t24 * root1)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 - t14 * root1)
+        c1, s1 = inverse1 * (v3 + t24 * root1), inverse1 * (v2 - t14 * root1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v3 + root1 * root1
+        N3 = v4 + root1 * root1
         K3 = N3 - k6
         D3_ = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3_ * v4):
+        if not (-boundary3 <= v1 * D3_):
             continue  # out of reach
         w3 = math.sqrt(D3_ if apart3 else 0.0)
         c3 = K3 * k7
@@ -280,7 +278,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free2 or free4 else OK
 
 
 @_HOW.merged

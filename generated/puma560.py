@@ -103,7 +103,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(3, 1, 0),
+    choosable=(3, 1),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -187,36 +187,34 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1, v2 = T14 * d3, T24 * d3
+    v1 = (w1 if apart1 else least_root1) * k4
+    inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
+    v2, v3 = T14 * d3, T24 * d3
 
     # theta3, type 6: U1[2, 4] and U1[1, 4]
     Z1_3 = T34 - d1
-    v3 = Z1_3 * Z1_3
-    v4 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
+    v4 = Z1_3 * Z1_3
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (T14 * root1 - v2)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 + T24 * root1)
+        c1, s1 = inverse1 * (T14 * root1 - v3), inverse1 * (v2 + T24 * root1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v3 + root1 * root1
+        N3 = v4 + root1 * root1
         K3 = N3 - k7
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v4):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         v5, v6 = k5 * K3, k6 * K3
@@ -282,7 +280,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free2 or free4 else OK
 
 
 @_HOW.merged

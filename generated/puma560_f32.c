@@ -2009,33 +2009,32 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
 
     /* theta1, type 2: U1[3, 4] */
     const float N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= free_limit_squared2;
     const float D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
-    const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d3 * sqrtf(N1)));
-    const float v1 = T14 * d3, v2 = T24 * d3;
+    const float v1 = (apart1 ? w1 : least_root1) * k4;
+    const float inverse1 = 1.0f / (apart1 ? N1 : d3 * sqrtf(N1));
+    const float v2 = T14 * d3, v3 = T24 * d3;
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const float Z1_3 = T34 - d1;
-    const float v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0f : (apart1 ? w1 : least_root1) * k4;
+    const float v4 = Z1_3 * Z1_3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
         /* theta1 */
-        if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0f && !apart1) continue; /* both signs give the same */
         const float root1 = w1 * e1;
-        const float c1 = free1 ? cosf(seed[0]) : inverse1 * (T14 * root1 - v2),
-            s1 = free1 ? sinf(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const float c1 = inverse1 * (T14 * root1 - v3), s1 = inverse1 * (v2 + T24 * root1);
         const float q1 = atan2f(s1, c1);
 
         /* theta3 */
-        const float N3 = v3 + root1 * root1;
+        const float N3 = v4 + root1 * root1;
         const float K3 = N3 - k7;
         const float D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const float w3 = sqrtf(apart3 ? D3 : 0.0f);
         const float v5 = k5 * K3, v6 = k6 * K3;
 
@@ -2098,7 +2097,7 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -2259,12 +2258,12 @@ DHGEN_FN int DHGEN_SOLVE_REGULAR(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5862f, 0.5862f, 0.5862f, 1.0f, 1.0f, 1.0f }, 0.5862421f, { 1e-06f, 1e-06f }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma560_f32_fk,
     puma560_f32_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

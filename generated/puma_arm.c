@@ -114,33 +114,32 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = T14 * d3, v2 = T24 * d3;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
+    const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
+    const double v2 = T14 * d3, v3 = T24 * d3;
 
     /* theta3, type 6: U1[2, 4] and U1[1, 4] */
     const double Z1_3 = T34 - d1;
-    const double v3 = Z1_3 * Z1_3, v4 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
+    const double v4 = Z1_3 * Z1_3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (T14 * root1 - v2),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + T24 * root1);
+        const double c1 = inverse1 * (T14 * root1 - v3), s1 = inverse1 * (v2 + T24 * root1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v3 + root1 * root1;
+        const double N3 = v4 + root1 * root1;
         const double K3 = N3 - k7;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double v5 = k5 * K3, v6 = k6 * K3;
 
@@ -165,7 +164,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double q2 = atan2(s2, c2);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -269,12 +268,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.5862, 0.5862, 0.5862, 0.0, 0.0, 0.0 }, 0.5862420710759887, { 1e-14, 1e-14 }, entries, 3,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, puma_arm_fk,
     puma_arm_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -57,7 +57,6 @@ longest2_reach = 0.490000000000112  # the longest, with what rounding adds [m^2]
 shortest2_reach = 0.009999999999984006  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.4899999999999887  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000001605  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 6.399999999999998e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
@@ -80,9 +79,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     miss_weights=(1.25, 1.25, 1.25, 1.0, 1.0, 1.0), size=0.7999999999999999,
     slacks=(1e-09, 1e-09, 8e-10, 1e-09), weights=(1.0, 1.0, 1.5625000000000002, 1.0),
     paces=(1.0, 1.0, 0.8, 1.0),
-    fan_steps=(0.09817477042468103, 0.09817477042468103, 0.00625, 0.09817477042468103),
-    steps=("keeps limits", "clamps", "clamps far", "range exceeds a turn", "follows seed"),
-    choosable=(0,),
+    steps=("clamps", "clamps far", "range exceeds a turn", "follows seed"),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -183,10 +180,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v2 - t14 * Y1_1
         C1 = v3 + t24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
@@ -202,7 +197,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, t34
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 @_HOW.merged

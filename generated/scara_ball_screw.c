@@ -27,7 +27,6 @@ static const double
     shortest2_reach = 0.009999999999986006, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.48999999999999017, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000000000001405, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 4.899999999999999e-25, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 7e-06, /* a pose may be rounded by this [m] */
     factor34 = 0.0025464790894703256, /* pitch/(2*pi): what q4 counts in joint 3 */
@@ -92,7 +91,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta124, type 3: U0[2, 1] and U0[1, 1] */
@@ -133,10 +132,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S1 = v2 - T14 * Y1_1;
         const double C1 = v3 + T24 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double factor1 = 1.0 / w1;
+        const double c1 = C1 * factor1, s1 = S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* is the pose one that the arm can take? */
@@ -150,7 +147,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double q3 = T34 - q4 * factor34;
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -167,14 +164,13 @@ DHGEN_TABLE struct dhgen_coupling coupling = {
     1, coupled, coupled_moves, coupled_lowest, coupled_highest, 0, NULL, NULL, NULL, NULL,
 };
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.429, 1.429, 1.429, 1.0, 1.0, 1.0 }, 1.4285714285714286, { 1e-14, 1e-14 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 0, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond,
-    scara_ball_screw_fk, scara_ball_screw_jacobian, solve,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    0, /* follows seed */ NULL, NULL, &coupling, dhgen_coupled_beyond, scara_ball_screw_fk,
+    scara_ball_screw_jacobian, solve,
     NULL,
 };
 

@@ -58,7 +58,6 @@ longest2_reach = 0.490000000000098  # the longest, with what rounding adds [m^2]
 shortest2_reach = 0.009999999999986006  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.48999999999999017  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000001405  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 4.899999999999999e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 7e-06  # a pose may be rounded by this [m]
 factor34 = 0.0025464790894703256  # pitch/(2*pi): what q4 counts in joint 3
@@ -94,8 +93,6 @@ _ARM = _arms.arm_numbers(_arms.Arm(
     rows=2, directions="rotation", miss_weights=(1.429, 1.429, 1.429, 1.0, 1.0, 1.0), size=0.7,
     slacks=(1e-09, 1e-09, 7e-10, 1e-09), weights=(1.0, 1.0, 2.0408163265306127, 1.0),
     paces=(1.0, 1.0, 0.7, 1.0),
-    fan_steps=(0.09817477042468103, 0.09817477042468103, 0.00625, 0.09817477042468103),
-    steps=("keeps limits",), choosable=(0,),
 ), coupling=_COUPLING)
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -193,10 +190,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v2 - T14 * Y1_1
         C1 = v3 + T24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
 
         # is the pose one that the arm can take?
@@ -213,7 +208,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 _CALLS = _functions.of_robot(globals(), _HOW, _functions.Solver(_ARM, "pose"))

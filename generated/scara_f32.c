@@ -1917,7 +1917,6 @@ static const float
     shortest2_reach = 0.00999936f, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.4899999f, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000016f, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 2.56e-10f, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05f, /* a pose may be rounded by this */
     pose_slack1 = 8e-06f, /* a pose may be rounded by this [m] */
     k1 = 0.25f, /* L1^2 + L2^2 [m^2] */
@@ -1971,7 +1970,7 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
     float *rows, unsigned char *status)
 {
     float (*const q)[4] = (float (*)[4])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(float);
 
     /* r3, type 1: U0[3, 4] */
@@ -2017,10 +2016,8 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
         const float S1 = v2 - t14 * Y1_1;
         const float C1 = v3 + t24 * Y1_1;
         const float w1 = sqrtf(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const float factor1 = 1.0f / (free1 ? 1.0f : w1);
-        const float c1 = free1 ? cosf(seed[0]) : C1 * factor1,
-            s1 = free1 ? sinf(seed[0]) : S1 * factor1;
+        const float factor1 = 1.0f / w1;
+        const float c1 = C1 * factor1, s1 = S1 * factor1;
         const float q1 = atan2f(s1, c1);
 
         /* is the pose one that the arm can take? */
@@ -2034,7 +2031,7 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
         const float q4 = dhgen_wrap(theta124 - (q2 + q1));
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = t34; q[row][3] = q4;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -2112,14 +2109,12 @@ DHGEN_FN int DHGEN_SOLVE_REGULAR(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.25f, 1.25f, 1.25f, 1.0f, 1.0f, 1.0f }, 1.25f, { 1e-06f, 1e-06f }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
-    1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_f32_fk,
-    scara_f32_jacobian, solve,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */ 1, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, scara_f32_fk, scara_f32_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

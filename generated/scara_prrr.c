@@ -35,7 +35,6 @@ static const double
     shortest3_reach = 0.0024999999999944992, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.30249999999999394, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.002500000000000549, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 3.025e-25, /* square of a length that fixes no angle [m^2] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 5.500000000000001e-06, /* a pose may be rounded by this [m] */
     k1 = 0.1525, /* a2^2 + a3^2 [m^2] */
@@ -95,7 +94,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[4] = (double (*)[4])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* theta234, type 3: U0[2, 1] and U0[1, 1] */
@@ -136,10 +135,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S2 = v2 - T14 * Y1_2;
         const double C2 = v3 + T24 * Y1_2;
         const double w2 = sqrt(S2 * S2 + C2 * C2);
-        const int free2 = w2 <= free_limit_squared2;
-        const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-        const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-            s2 = free2 ? sin(seed[1]) : S2 * factor2;
+        const double factor2 = 1.0 / w2;
+        const double c2 = C2 * factor2, s2 = S2 * factor2;
         const double q2 = atan2(s2, c2);
 
         /* is the pose one that the arm can take? */
@@ -152,7 +149,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double q4 = dhgen_wrap(theta234 - (q3 + q2));
         const int row = i1;
         q[row][0] = T34; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4;
-        status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -252,14 +249,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[1] = { 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     4, 2, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.818, 1.818, 1.818, 1.0, 1.0, 1.0 }, 1.8181818181818181, { 1e-14, 1e-14 }, entries, 9,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_prrr_fk,
-    scara_prrr_jacobian, solve,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, scara_prrr_fk, scara_prrr_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

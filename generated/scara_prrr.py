@@ -55,7 +55,6 @@ longest3_reach = 0.3025000000000605  # the longest, with what rounding adds [m^2
 shortest3_reach = 0.0024999999999944992  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.30249999999999394  # the longest, where branches merge [m^2]
 shortest3_apart = 0.002500000000000549  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 3.025e-25  # square of a length that fixes no angle [m^2]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 5.500000000000001e-06  # a pose may be rounded by this [m]
 k1 = 0.1525  # a2^2 + a3^2 [m^2]
@@ -163,10 +162,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S2 = v2 - T14 * Y1_2
         C2 = v3 + T24 * Y1_2
         w2 = math.sqrt(S2 * S2 + C2 * C2)
-        free2 = w2 <= free_limit_squared2
-        factor2 = 1.0 / (1.0 if free2 else w2)
-        c2 = math.cos(seed[1]) if free2 else C2 * factor2
-        s2 = math.sin(seed[1]) if free2 else S2 * factor2
+        factor2 = 1.0 / w2
+        c2, s2 = C2 * factor2, S2 * factor2
         q2 = _atan2(s2, c2)
 
         # is the pose one that the arm can take?
@@ -182,7 +179,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = T34, q2, q3
         q[row, 3] = q4
-        status[row] = FREE_JOINT if free2 else OK
+        status[row] = OK
 
 
 @_HOW.merged

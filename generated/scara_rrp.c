@@ -35,7 +35,6 @@ static const double
     shortest2_reach = 0.009999999999976007, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.48999999999998317, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000000000002408, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.4399999999999998e-24, /* square of a length that fixes no angle [m^2] */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
 
@@ -90,7 +89,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     double *rows, unsigned char *status)
 {
     double (*const q)[3] = (double (*)[3])rows;
-    (void)free_joints; (void)moved;
+    (void)free_joints; (void)seed; (void)moved;
     DHGEN_ENTRIES(double);
 
     /* r3, type 1: U0[3, 4] */
@@ -121,14 +120,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S1 = v1 - T14 * Y1_1;
         const double C1 = v2 + T24 * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double factor1 = 1.0 / w1;
+        const double c1 = C1 * factor1, s1 = S1 * factor1;
         const double q1 = atan2(s1, c1);
         const int row = i1;
         q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-        status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
+        status[row] = DHGEN_OK;
     }
 }
 
@@ -213,14 +210,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
-DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 2, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 0.8333, 0.8333, 0.8333, 0.0, 0.0, 0.0 }, 0.8333333333333334, { 1e-14, 1e-14 }, entries, 3,
-    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
-    0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_rrp_fk,
-    scara_rrp_jacobian, solve,
+    1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */ NULL, 0, NULL, 0, 52,
+    0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */ 0, /* range exceeds a turn */
+    1, /* follows seed */ NULL, NULL, NULL, NULL, scara_rrp_fk, scara_rrp_jacobian, solve,
     DHGEN_SOLVE_REGULAR,
 };
 

@@ -52,7 +52,6 @@ longest2_reach = 0.49000000000016797  # the longest, with what rounding adds [m^
 shortest2_reach = 0.009999999999976007  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.48999999999998317  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000002408  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.4399999999999998e-24  # square of a length that fixes no angle [m^2]
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
@@ -142,14 +141,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v1 - T14 * Y1_1
         C1 = v2 + T24 * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
         row = i1
         q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
-        status[row] = FREE_JOINT if free1 else OK
+        status[row] = OK
 
 
 @_HOW.merged

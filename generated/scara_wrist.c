@@ -36,7 +36,6 @@ static const double
     shortest2_reach = 0.009999999999974009, /* the shortest, with what rounding adds [m^2] */
     longest2_apart = 0.48999999999998173, /* the longest, where branches merge [m^2] */
     shortest2_apart = 0.010000000000002607, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.69e-24, /* square of a length that fixes no angle [m^2] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.25, /* a1^2 + a2^2 [m^2] */
     k2 = 4.166666666666667; /* 1 / (2 * a2 * a1) [m^-2] */
@@ -152,10 +151,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double S1 = v1 - wx * Y1_1;
         const double C1 = v2 + wy * Y1_1;
         const double w1 = sqrt(S1 * S1 + C1 * C1);
-        const int free1 = w1 <= free_limit_squared2;
-        const double factor1 = 1.0 / (free1 ? 1.0 : w1);
-        const double c1 = free1 ? cos(seed[0]) : C1 * factor1,
-            s1 = free1 ? sin(seed[0]) : S1 * factor1;
+        const double factor1 = 1.0 / w1;
+        const double c1 = C1 * factor1, s1 = S1 * factor1;
         const double q1 = atan2(s1, c1);
 
         /* theta12m4 */
@@ -182,7 +179,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
             q[row][5] = q6;
-            status[row] = (free1 || free12m4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free12m4 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -313,12 +310,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[2] = { 3, 0 };
+DHGEN_TABLE int choosable[1] = { 3 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7692, 0.7692, 0.7692, 1.0, 1.0, 1.0 }, 0.7692307692307692, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, scara_wrist_fk,
     scara_wrist_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

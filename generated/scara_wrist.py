@@ -59,7 +59,6 @@ longest2_reach = 0.49000000000018196  # the longest, with what rounding adds [m^
 shortest2_reach = 0.009999999999974009  # the shortest, with what rounding adds [m^2]
 longest2_apart = 0.48999999999998173  # the longest, where branches merge [m^2]
 shortest2_apart = 0.010000000000002607  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.69e-24  # square of a length that fixes no angle [m^2]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.25  # a1^2 + a2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * a2 * a1) [m^-2]
@@ -187,10 +186,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         S1 = v1 - wx * Y1_1
         C1 = v2 + wy * Y1_1
         w1 = math.sqrt(S1 * S1 + C1 * C1)
-        free1 = w1 <= free_limit_squared2
-        factor1 = 1.0 / (1.0 if free1 else w1)
-        c1 = math.cos(seed[0]) if free1 else C1 * factor1
-        s1 = math.sin(seed[0]) if free1 else S1 * factor1
+        factor1 = 1.0 / w1
+        c1, s1 = C1 * factor1, S1 * factor1
         q1 = _atan2(s1, c1)
 
         # theta12m4
@@ -219,7 +216,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
             q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-            status[row] = FREE_JOINT if free1 or free12m4 else OK
+            status[row] = FREE_JOINT if free12m4 else OK
 
 
 @_HOW.merged

@@ -28,7 +28,6 @@
 /* In formulas below, reach_slack1 = 1.5e-14 [m], merge_slack1 = 1.5e-15 [m]. */
 static const double
     d2 = 0.15, /* joint offset 2 [m] */
-    free_limit_squared2 = 2.2499999999999997e-26, /* square of a length that fixes no angle [m^2] */
     free_limit1 = 1.5e-13, /* a length that fixes no angle [m] */
     k1 = 0.0225, /* d2^2 [m^2] */
     k2 = 4.5000000000002246e-15, /* reach_slack1 * (2 * d2 + reach_slack1) [m^2] */
@@ -90,12 +89,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
+    const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
     const double v1 = T14 * d2, v2 = T24 * d2;
 
     /* theta2, r3, type 4: U1[1, 4] and U1[2, 4] */
@@ -104,10 +102,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1),
-            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
+        const double c1 = inverse1 * (v2 - T14 * root1), s1 = -(inverse1 * (v1 + T24 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
@@ -126,7 +123,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = r3;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free2 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -222,12 +219,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[3] = { 3, 7, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     3, 4, 0, DHGEN_COORDINATES, joints, NULL, 0,
     { 6.667, 6.667, 6.667, 0.0, 0.0, 0.0 }, 6.666666666666667, { 1e-14, 1e-14 }, entries, 3,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, spherical_offset_fk,
     spherical_offset_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

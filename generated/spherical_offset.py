@@ -48,7 +48,6 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 # In formulas below, reach_slack1 = 1.5e-14 [m], merge_slack1 = 1.5e-15 [m],
 # doubt_limit1 = 1.4999999999999999e-05 [m].
 d2 = 0.15  # joint offset 2 [m]
-free_limit_squared2 = 2.2499999999999997e-26  # square of a length that fixes no angle [m^2]
 free_limit1 = 1.5e-13  # a length that fixes no angle [m]
 k1 = 0.0225  # d2^2 [m^2]
 k2 = 4.5000000000002246e-15  # reach_slack1 * (2 * d2 + reach_slack1) [m^2]
@@ -114,13 +113,12 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
+    inverse1 = 1.0 / (N1 if apart1 else d2 * math.sqrt(N1))
     v1, v2 = T14 * d2, T24 * d2
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
@@ -129,11 +127,10 @@ def _solve(pose, q_free, seed, moved, q, status):
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T14 * root1)
-        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T24 * root1))
+        c1, s1 = inverse1 * (v2 - T14 * root1), -(inverse1 * (v1 + T24 * root1))
         q1 = _atan2(s1, c1)
 
         # theta2, r3
@@ -153,7 +150,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             r3 = w3 * e2
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free2 else OK
 
 
 @_HOW.merged

@@ -37,7 +37,6 @@ static const double
     a3 = 0.09, /* link length 3 [m] */
     d4 = 0.38, /* joint offset 4 [m] */
     d6 = 0.07, /* joint offset 6 [m] */
-    free_limit_squared2 = 3.1684000000000017e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 5.628854235099716e-07, /* a root of nothing, by rounding [m] */
     longest3 = 0.6732407360639862, /* square of the longest reach [m^2] */
     shortest3 = 0.0015592639360138612, /* square of the shortest reach [m^2] */
@@ -151,35 +150,34 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double wx = T14 - T13 * d6;
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
-    const double v1 = wx * k1, v2 = Y1 * k1;
+    const double v1 = (apart1 ? w1 : least_root1) * k5;
+    const double inverse1 = 1.0 / (apart1 ? N1 : k1 * sqrt(N1));
+    const double v2 = wx * k1, v3 = Y1 * k1;
 
     /* theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k5;
+    const double v5 = Z1_3 * Z1_3;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + wx * root1)),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
+        const double c1 = -(inverse1 * (v3 + wx * root1)), s1 = inverse1 * (Y1 * root1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v3 = root1 + a1;
-        const double N3 = v4 + v3 * v3;
+        const double v4 = root1 + a1;
+        const double N3 = v5 + v4 * v4;
         const double K3 = N3 - k8;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double v6 = k6 * K3, v7 = k7 * K3;
 
@@ -203,13 +201,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
             const double X1_2 = d4 * c3 - a3 * s3;
             const double Y1_2 = a2 + (a3 * c3 + d4 * s3);
-            const double v8 = v3 * X1_2 + Z1_3 * Y1_2;
-            const double C2 = Z1_3 * X1_2 - v3 * Y1_2;
+            const double v8 = v4 * X1_2 + Z1_3 * Y1_2;
+            const double C2 = Z1_3 * X1_2 - v4 * Y1_2;
             const double w2 = sqrt(v8 * v8 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(v8 * factor2);
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = -(v8 * factor2);
             const double q2 = atan2(s2, c2);
 
             /* theta4 */
@@ -242,7 +238,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = free4 ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -279,14 +275,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * Y1),
-        v2 = v1 + w1 * (wx * inverse1), v3 = v1 + w1 * (inverse1 * -wx), v4 = inverse1 * (k1 * wx),
-        s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
+        w1 = dhgen_sqrt_wide(D1), v1 = k5 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (k1 * Y1), v3 = v2 + w1 * (wx * inverse1), v4 = v2 + w1 * (inverse1 * -wx),
+        v5 = inverse1 * (k1 * wx), s1_p = w1 * (Y1 * inverse1) - v5,
+        s1_m = w1 * (inverse1 * -Y1) - v5;
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
-        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v8 = k5 * w1, w3_p = dhgen_sqrt_wide(D3_p),
+    const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, v6 = a1 + w1, v7 = a1 - w1, v8 = Z1_3 * Z1_3,
+        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
         w3_m = dhgen_sqrt_wide(D3_m), angle1 = dhgen_atan2_wide(w3_p, N3_p - k8),
         angle2 = dhgen_atan2_wide(w3_m, N3_m - k8), q3__pp = angle1 - turn1, v9 = turn1 + angle1,
         q3__mp = angle2 - turn1, v10 = turn1 + angle2;
@@ -294,29 +291,29 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta2 */
     const dhgen_wide v11 = Z1_3 * (m4 + m3 * N3_p), v12 = Z1_3 * (m4 + m3 * N3_m),
         factor2_p = DHGEN_QUOTIENT(1.0, N3_p), factor2_m = DHGEN_QUOTIENT(1.0, N3_m),
-        v13 = v5 * (m3 + m4 * factor2_p), v14 = v6 * (m3 + m4 * factor2_m), v15 = w3_p * (m3 * v5),
+        v13 = v6 * (m3 + m4 * factor2_p), v14 = v7 * (m3 + m4 * factor2_m), v15 = w3_p * (m3 * v6),
         angle3 = dhgen_atan2_wide(-(factor2_p * (v11 - v15)), -(v13 + w3_p * (m3 * (Z1_3 *
             factor2_p)))),
         angle4 = dhgen_atan2_wide(-(factor2_p * (v11 + v15)), -(v13 + w3_p * (m3 * (-Z1_3 *
             factor2_p)))),
-        angle5 = dhgen_atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * v6))), -(v14 + w3_m * (m3 *
+        angle5 = dhgen_atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * v7))), -(v14 + w3_m * (m3 *
             (Z1_3 * factor2_m)))),
-        angle6 = dhgen_atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * -v6))), -(v14 + w3_m * (m3 *
+        angle6 = dhgen_atan2_wide(-(factor2_m * (v12 - w3_m * (m3 * -v7))), -(v14 + w3_m * (m3 *
             (-Z1_3 * factor2_m))));
 
     /* theta4 */
     const dhgen_wide v16 = m5 * Z1_3, v17 = m6 - m7 * factor2_p, v18 = m6 - m7 * factor2_m,
-        v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5, v21 = Z1_3 * v17 + v5 * v19,
-        v22 = Z1_3 * v18 + v6 * v20, v23 = w3_p * (factor2_p * (v16 + m6 * v5)), c23_pp = v21 + v23,
-        c23_pm = v21 - v23, v24 = w3_m * (factor2_m * (v16 + m6 * v6)), c23_mp = v22 + v24,
-        c23_mm = v22 - v24, v25 = m6 * Z1_3, v26 = v25 - m5 * v5, v27 = v25 - m5 * v6,
-        v28 = Z1_3 * v19 + v5 * -v17, v29 = Z1_3 * v20 + v6 * -v18,
+        v19 = m8 * factor2_p - m5, v20 = m8 * factor2_m - m5, v21 = Z1_3 * v17 + v6 * v19,
+        v22 = Z1_3 * v18 + v7 * v20, v23 = w3_p * (factor2_p * (v16 + m6 * v6)), c23_pp = v21 + v23,
+        c23_pm = v21 - v23, v24 = w3_m * (factor2_m * (v16 + m6 * v7)), c23_mp = v22 + v24,
+        c23_mm = v22 - v24, v25 = m6 * Z1_3, v26 = v25 - m5 * v6, v27 = v25 - m5 * v7,
+        v28 = Z1_3 * v19 + v6 * -v17, v29 = Z1_3 * v20 + v7 * -v18,
         s23_pp = v28 + w3_p * (factor2_p * v26), s23_pm = v28 + w3_p * (factor2_p * -v26),
         s23_mp = v29 + w3_m * (factor2_m * v27), s23_mm = v29 + w3_m * (factor2_m * -v27),
-        v30 = T23 * s1_p - T13 * v2, v31 = T23 * s1_m - T13 * v3,
+        v30 = T23 * s1_p - T13 * v3, v31 = T23 * s1_m - T13 * v4,
         X4_pp = c23_pp * v30 - T33 * s23_pp, X4_pm = c23_pm * v30 - T33 * s23_pm,
         X4_mp = c23_mp * v31 - T33 * s23_mp, X4_mm = c23_mm * v31 - T33 * s23_mm,
-        Y4_p = T13 * s1_p + T23 * v2, Y4_m = T13 * s1_m + T23 * v3, v32 = Y4_p * Y4_p,
+        Y4_p = T13 * s1_p + T23 * v3, Y4_m = T13 * s1_m + T23 * v4, v32 = Y4_p * Y4_p,
         v33 = Y4_m * Y4_m, v34 = v32 + X4_pp * X4_pp, v35 = v32 + X4_pm * X4_pm,
         v36 = v33 + X4_mp * X4_mp, v37 = v33 + X4_mm * X4_mm,
         angle7 = dhgen_atan2_wide(Y4_p, -X4_pp), angle8 = dhgen_atan2_wide(Y4_p, -X4_pm),
@@ -331,9 +328,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle14 = dhgen_atan2_wide(-dhgen_sqrt_wide(v37), T33 * c23_mm + s23_mm * v31);
 
     /* theta6 */
-    const dhgen_wide v40 = s1_p * T12 + v2 * T22, v41 = s1_m * T12 + v3 * T22,
-        v42 = s1_p * T22 - v2 * T12, v43 = s1_m * T22 - v3 * T12, v44 = s1_p * T11 + v2 * T21,
-        v45 = s1_m * T11 + v3 * T21, v46 = s1_p * T21 - v2 * T11, v47 = s1_m * T21 - v3 * T11,
+    const dhgen_wide v40 = s1_p * T12 + v3 * T22, v41 = s1_m * T12 + v4 * T22,
+        v42 = s1_p * T22 - v3 * T12, v43 = s1_m * T22 - v4 * T12, v44 = s1_p * T11 + v3 * T21,
+        v45 = s1_m * T11 + v4 * T21, v46 = s1_p * T21 - v3 * T11, v47 = s1_m * T21 - v4 * T11,
         angle15 = dhgen_atan2_wide(-(-X4_pp * v44 + Y4_p * (c23_pp * v46 - s23_pp * T31)), -(-X4_pp
             * v40 + Y4_p * (c23_pp * v42 - s23_pp * T32))),
         angle16 = dhgen_atan2_wide(-(-X4_pm * v44 + Y4_p * (c23_pm * v46 - s23_pm * T31)), -(-X4_pm
@@ -348,8 +345,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         q3_pmp = dhgen_only_wide(DHGEN_HALF_TURN < -v9, -DHGEN_TURN) - v9,
         q3_mpp = dhgen_lowered_wide(q3__mp),
         q3_mmp = dhgen_only_wide(DHGEN_HALF_TURN < -v10, -DHGEN_TURN) - v10,
-        angle19 = dhgen_atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
-        angle20 = dhgen_atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m);
+        angle19 = dhgen_atan2_wide(s1_p, -v3), q1_ppp = angle19 + (w3_p - w3_p),
+        angle20 = dhgen_atan2_wide(s1_m, -v4), q1_mpp = angle20 + (w3_m - w3_m);
 
     q[0] = q1_ppp; q[1] = angle3; q[2] = q3_ppp; q[3] = angle7; q[4] = angle11; q[5] = angle15;
     kind[0] = dhgen_kind_wide(q[0]);
@@ -381,7 +378,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v37 <= m9) | (v36 <= m9) | (v35 <= m9) | (v34 <= m9) |
-        (dhgen_abs_wide(D3_m * v8) <= m2) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3_p * v8)
+        (dhgen_abs_wide(v1 * D3_m) <= m2) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(v1 * D3_p)
         <= m2));
 }
 
@@ -399,44 +396,43 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * Y1);
-    const dhgen_four v2 = v1 + w1 * (inverse1 * (e1 * wx));
-    const double v3 = inverse1 * (k1 * wx);
-    const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
+        w1 = sqrt(D1), v1 = k5 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * Y1);
+    const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * wx));
+    const double v4 = inverse1 * (k1 * wx);
+    const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v4;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1;
-    const dhgen_four v4 = a1 + e1 * w1;
-    const double v5 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
-    const double v6 = k5 * w1;
-    const dhgen_four w3 = dhgen_sqrt_four(D3);
+    const dhgen_four v5 = a1 + e1 * w1;
+    const double v6 = Z1_3 * Z1_3;
+    const dhgen_four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3);
 
     /* theta2 */
     const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e3 * Z1_3, factor2 = DHGEN_QUOTIENT(1.0, N3),
-        v9 = v4 * (m3 + m4 * factor2);
+        v9 = v5 * (m3 + m4 * factor2);
 
     /* theta4 */
     const double v10 = m5 * Z1_3;
-    const dhgen_four v11 = v10 + m6 * v4, v12 = m6 - m7 * factor2, v13 = m8 * factor2 - m5,
-        v14 = Z1_3 * v12 + v4 * v13, c23 = v14 + w3 * (factor2 * (e3 * v11));
+    const dhgen_four v11 = v10 + m6 * v5, v12 = m6 - m7 * factor2, v13 = m8 * factor2 - m5,
+        v14 = Z1_3 * v12 + v5 * v13, c23 = v14 + w3 * (factor2 * (e3 * v11));
     const double v15 = m6 * Z1_3;
-    const dhgen_four v16 = v15 - m5 * v4, v17 = Z1_3 * v13 + v4 * -v12,
-        s23 = v17 + w3 * (factor2 * (e3 * v16)), v18 = T23 * s1 - T13 * v2,
-        X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v2, v19 = Y4 * Y4, v20 = v19 + X4 * X4,
+    const dhgen_four v16 = v15 - m5 * v5, v17 = Z1_3 * v13 + v5 * -v12,
+        s23 = v17 + w3 * (factor2 * (e3 * v16)), v18 = T23 * s1 - T13 * v3,
+        X4 = c23 * v18 - T33 * s23, Y4 = T13 * s1 + T23 * v3, v19 = Y4 * Y4, v20 = v19 + X4 * X4,
         v21 = dhgen_signed_four(DHGEN_HALF_TURN, Y4);
 
     /* theta6 */
-    const dhgen_four v22 = s1 * T12 + v2 * T22, v23 = s1 * T22 - v2 * T12,
-        v24 = s1 * T11 + v2 * T21, v25 = s1 * T21 - v2 * T11;
+    const dhgen_four v22 = s1 * T12 + v3 * T22, v23 = s1 * T22 - v3 * T12,
+        v24 = s1 * T11 + v3 * T21, v25 = s1 * T21 - v3 * T11;
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3
-        * v6) <= m2) | (v20 <= m9)) | (unsigned)(fabs(D1) <= m1))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(v1
+        * D3) <= m2) | (v20 <= m9)) | (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, s1, 0, 5, 2, 7),
-        dhgen_shuffle(N3 - k8, -v2, 0, 5, 2, 7)),
-        ratio2 = dhgen_ratio_four(-(factor2 * (v7 - w3 * (m3 * (e3 * v4)))), -(v9 + w3 * (m3 * (v8 *
+        dhgen_shuffle(N3 - k8, -v3, 0, 5, 2, 7)),
+        ratio2 = dhgen_ratio_four(-(factor2 * (v7 - w3 * (m3 * (e3 * v5)))), -(v9 + w3 * (m3 * (v8 *
             factor2)))), ratio3 = dhgen_ratio_four(Y4, -X4),
         ratio4 = dhgen_ratio_four(-(-X4 * v24 + Y4 * (c23 * v25 - s23 * T31)), -(-X4 * v22 + Y4 *
             (c23 * v23 - s23 * T32))),
@@ -465,12 +461,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[1] = { 3 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.5618, 0.5618, 0.5618, 1.0, 1.0, 1.0 }, 0.5617977528089886, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL,
     spherical_wrist_all_offsets_fk, spherical_wrist_all_offsets_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -62,7 +62,6 @@ d3 = 0.06  # joint offset 3 [m]
 a3 = 0.09  # link length 3 [m]
 d4 = 0.38  # joint offset 4 [m]
 d6 = 0.07  # joint offset 6 [m]
-free_limit_squared2 = 3.1684000000000017e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.628854235099716e-07  # a root of nothing, by rounding [m]
 longest3 = 0.6732407360639862  # square of the longest reach [m^2]
 shortest3 = 0.0015592639360138612  # square of the shortest reach [m^2]
@@ -194,38 +193,36 @@ def _solve(pose, q_free, seed, moved, q, status):
     wx = T14 - T13 * d6
     Y1 = d6 * T23 - T24
     N1 = wx * wx + Y1 * Y1
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k2
     apart1 = k4 < D1
     if not (-k3 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
-    v1, v2 = wx * k1, Y1 * k1
+    v1 = (w1 if apart1 else least_root1) * k5
+    inverse1 = 1.0 / (N1 if apart1 else k1 * math.sqrt(N1))
+    v2, v3 = wx * k1, Y1 * k1
 
     # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
-    v4 = Z1_3 * Z1_3
-    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k5
+    v5 = Z1_3 * Z1_3
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else -(inverse1 * (v2 + wx * root1))
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v1)
+        c1, s1 = -(inverse1 * (v3 + wx * root1)), inverse1 * (Y1 * root1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v3 = root1 + a1
-        N3 = v4 + v3 * v3
+        v4 = root1 + a1
+        N3 = v5 + v4 * v4
         K3 = N3 - k8
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v5):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         v6, v7 = k6 * K3, k7 * K3
@@ -251,13 +248,11 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
             X1_2 = d4 * c3 - a3 * s3
             Y1_2 = a2 + (a3 * c3 + d4 * s3)
-            v8 = v3 * X1_2 + Z1_3 * Y1_2
-            C2 = Z1_3 * X1_2 - v3 * Y1_2
+            v8 = v4 * X1_2 + Z1_3 * Y1_2
+            C2 = Z1_3 * X1_2 - v4 * Y1_2
             w2 = math.sqrt(v8 * v8 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(seed[1]) if free2 else C2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(v8 * factor2)
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, -(v8 * factor2)
             q2 = _atan2(s2, c2)
 
             # theta4
@@ -291,7 +286,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free4 else OK
 
 
 @_HOW.merged
@@ -311,51 +306,52 @@ def _formulas(kept, turns, rows, w):
         wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         N1 = wx * wx + Y1 * Y1
         D1 = N1 - k2
-        w1, inverse1 = math.sqrt(D1), 1.0 / N1
-        v1 = inverse1 * (k1 * Y1)
-        v2, v3, v4 = v1 + w1 * (wx * inverse1), v1 + w1 * (inverse1 * -wx), inverse1 * (k1 * wx)
-        s1_p, s1_m = w1 * (Y1 * inverse1) - v4, w1 * (inverse1 * -Y1) - v4
+        w1 = math.sqrt(D1)
+        v1, inverse1 = k5 * w1, 1.0 / N1
+        v2 = inverse1 * (k1 * Y1)
+        v3, v4, v5 = v2 + w1 * (wx * inverse1), v2 + w1 * (inverse1 * -wx), inverse1 * (k1 * wx)
+        s1_p, s1_m = w1 * (Y1 * inverse1) - v5, w1 * (inverse1 * -Y1) - v5
 
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-        Z1_3, v5, v6 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
-        v7 = Z1_3 * Z1_3
-        N3_p, N3_m = v7 + v5 * v5, v7 + v6 * v6
+        Z1_3, v6, v7 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
+        v8 = Z1_3 * Z1_3
+        N3_p, N3_m = v8 + v6 * v6, v8 + v7 * v7
         D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        v8, w3_p, w3_m = k5 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
+        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         v11, v12, factor2_p = Z1_3 * (m4 + m3 * N3_p), Z1_3 * (m4 + m3 * N3_m), 1.0 / N3_p
-        factor2_m, v13 = 1.0 / N3_m, v5 * (m3 + m4 * factor2_p)
-        v14, v15 = v6 * (m3 + m4 * factor2_m), w3_p * (m3 * v5)
+        factor2_m, v13 = 1.0 / N3_m, v6 * (m3 + m4 * factor2_p)
+        v14, v15 = v7 * (m3 + m4 * factor2_m), w3_p * (m3 * v6)
 
         # theta4, type 2: U4[3, 3]
         v16, v17, v18 = m5 * Z1_3, m6 - m7 * factor2_p, m6 - m7 * factor2_m
         v19, v20 = m8 * factor2_p - m5, m8 * factor2_m - m5
-        v21, v22 = Z1_3 * v17 + v5 * v19, Z1_3 * v18 + v6 * v20
-        v23 = w3_p * (factor2_p * (v16 + m6 * v5))
-        c23_pp, c23_pm, v24 = v21 + v23, v21 - v23, w3_m * (factor2_m * (v16 + m6 * v6))
+        v21, v22 = Z1_3 * v17 + v6 * v19, Z1_3 * v18 + v7 * v20
+        v23 = w3_p * (factor2_p * (v16 + m6 * v6))
+        c23_pp, c23_pm, v24 = v21 + v23, v21 - v23, w3_m * (factor2_m * (v16 + m6 * v7))
         c23_mp, c23_mm, v25 = v22 + v24, v22 - v24, m6 * Z1_3
-        v26, v27, v28 = v25 - m5 * v5, v25 - m5 * v6, Z1_3 * v19 + v5 * -v17
-        v29, s23_pp = Z1_3 * v20 + v6 * -v18, v28 + w3_p * (factor2_p * v26)
+        v26, v27, v28 = v25 - m5 * v6, v25 - m5 * v7, Z1_3 * v19 + v6 * -v17
+        v29, s23_pp = Z1_3 * v20 + v7 * -v18, v28 + w3_p * (factor2_p * v26)
         s23_pm, s23_mp = v28 + w3_p * (factor2_p * -v26), v29 + w3_m * (factor2_m * v27)
-        s23_mm, v30 = v29 + w3_m * (factor2_m * -v27), T23 * s1_p - T13 * v2
-        v31, X4_pp = T23 * s1_m - T13 * v3, c23_pp * v30 - T33 * s23_pp
+        s23_mm, v30 = v29 + w3_m * (factor2_m * -v27), T23 * s1_p - T13 * v3
+        v31, X4_pp = T23 * s1_m - T13 * v4, c23_pp * v30 - T33 * s23_pp
         X4_pm, X4_mp = c23_pm * v30 - T33 * s23_pm, c23_mp * v31 - T33 * s23_mp
-        X4_mm, Y4_p = c23_mm * v31 - T33 * s23_mm, T13 * s1_p + T23 * v2
-        Y4_m, v32 = T13 * s1_m + T23 * v3, Y4_p * Y4_p
+        X4_mm, Y4_p = c23_mm * v31 - T33 * s23_mm, T13 * s1_p + T23 * v3
+        Y4_m, v32 = T13 * s1_m + T23 * v4, Y4_p * Y4_p
         v33, v34, v35 = Y4_m * Y4_m, v32 + X4_pp * X4_pp, v32 + X4_pm * X4_pm
         v36, v37, v38 = v33 + X4_mp * X4_mp, v33 + X4_mm * X4_mm, math.copysign(half_turn, Y4_p)
         v39 = math.copysign(half_turn, Y4_m)
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v40, v41, v42 = s1_p * T12 + v2 * T22, s1_m * T12 + v3 * T22, s1_p * T22 - v2 * T12
-        v43, v44, v45 = s1_m * T22 - v3 * T12, s1_p * T11 + v2 * T21, s1_m * T11 + v3 * T21
-        v46, v47 = s1_p * T21 - v2 * T11, s1_m * T21 - v3 * T11
+        v40, v41, v42 = s1_p * T12 + v3 * T22, s1_m * T12 + v4 * T22, s1_p * T22 - v3 * T12
+        v43, v44, v45 = s1_m * T22 - v4 * T12, s1_p * T11 + v3 * T21, s1_m * T11 + v4 * T21
+        v46, v47 = s1_p * T21 - v3 * T11, s1_m * T21 - v4 * T11
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(D3_m * v8) <= m2 or
-            abs(D1) <= m1 or abs(D3_p * v8) <= m2 else kept[16 * w + k]
+            1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(v1 * D3_m) <= m2 or
+            abs(D1) <= m1 or abs(v1 * D3_p) <= m2 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_pm, c23_mp, c23_mm
@@ -366,8 +362,8 @@ def _formulas(kept, turns, rows, w):
         kept[35 * w + k], kept[36 * w + k], kept[37 * w + k] = v44, v45, v46
         kept[38 * w + k], turns[0 * w + k], turns[1 * w + k] = v47, w3_p, w3_m
         turns[2 * w + k], turns[3 * w + k] = -(factor2_p * (v11 - v15)), -(factor2_p * (v11 + v15))
-        turns[4 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * v6)))
-        turns[5 * w + k], turns[6 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * -v6))), Y4_p
+        turns[4 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * v7)))
+        turns[5 * w + k], turns[6 * w + k] = -(factor2_m * (v12 - w3_m * (m3 * -v7))), Y4_p
         turns[7 * w + k], turns[8 * w + k], turns[9 * w + k] = Y4_p, Y4_m, Y4_m
         turns[10 * w + k], turns[11 * w + k] = -math.sqrt(v34), -math.sqrt(v35)
         turns[12 * w + k], turns[13 * w + k] = -math.sqrt(v36), -math.sqrt(v37)
@@ -389,7 +385,7 @@ def _formulas(kept, turns, rows, w):
         turns[39 * w + k] = -(-X4_pm * v40 + Y4_p * (c23_pm * v42 - s23_pm * T32))
         turns[40 * w + k] = -(-X4_mp * v41 + Y4_m * (c23_mp * v43 - s23_mp * T32))
         turns[41 * w + k] = -(-X4_mm * v41 + Y4_m * (c23_mm * v43 - s23_mm * T32))
-        turns[42 * w + k], turns[43 * w + k] = -v2, -v3
+        turns[42 * w + k], turns[43 * w + k] = -v3, -v4
     if w == 1 and kept[16] != 0.0:
         return
     end = 24 if w == 1 else 20 * w

@@ -29,7 +29,6 @@ static const double
     d1 = 0.412, /* joint offset 1 [m] */
     d2 = 0.154, /* joint offset 2 [m] */
     a3 = 0.0203, /* link length 3 [m] */
-    free_limit_squared2 = 1.6129e-24, /* square of a length that fixes no angle [m^2] */
     free_limit1 = 1.27e-12, /* a length that fixes no angle [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     k1 = 0.13369999999999999, /* d2 - a3 [m] */
@@ -117,12 +116,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k2;
     const int apart1 = k4 < D1;
     if (!(-k3 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
+    const double inverse1 = 1.0 / (apart1 ? N1 : k1 * sqrt(N1));
     const double v1 = T14 * k1, v2 = T24 * k1;
 
     /* theta2, r3, type 4: U1[1, 4] and U1[2, 4] */
@@ -132,10 +130,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - T14 * root1),
-            s1 = free1 ? sin(seed[0]) : -(inverse1 * (v1 + T24 * root1));
+        const double c1 = inverse1 * (v2 - T14 * root1), s1 = -(inverse1 * (v1 + T24 * root1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
@@ -191,7 +188,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = r3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -415,12 +412,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7874, 0.7874, 0.7874, 1.0, 1.0, 1.0 }, 0.7874015748031495, { 1e-14, 1e-14 }, entries, 9,
     1, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, stanford_fk,
     stanford_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

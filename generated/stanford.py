@@ -55,7 +55,6 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 d1 = 0.412  # joint offset 1 [m]
 d2 = 0.154  # joint offset 2 [m]
 a3 = 0.0203  # link length 3 [m]
-free_limit_squared2 = 1.6129e-24  # square of a length that fixes no angle [m^2]
 free_limit1 = 1.27e-12  # a length that fixes no angle [m]
 free_limit = 1e-12  # a length that fixes no angle
 k1 = 0.13369999999999999  # d2 - a3 [m]
@@ -85,7 +84,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         0.09817477042468103, 0.09817477042468103, 0.030162500000000002, 0.09817477042468103,
         0.09817477042468103, 0.09817477042468103,
     ),
-    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(3, 1, 0),
+    steps=("keeps limits", "clamps", "clamps far", "follows seed"), choosable=(3, 1),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -156,13 +155,12 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k2
     apart1 = k4 < D1
     if not (-k3 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
+    inverse1 = 1.0 / (N1 if apart1 else k1 * math.sqrt(N1))
     v1, v2 = T14 * k1, T24 * k1
 
     # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
@@ -172,11 +170,10 @@ def _solve(pose, q_free, seed, moved, q, status):
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - T14 * root1)
-        s1 = math.sin(seed[0]) if free1 else -(inverse1 * (v1 + T24 * root1))
+        c1, s1 = inverse1 * (v2 - T14 * root1), -(inverse1 * (v1 + T24 * root1))
         q1 = _atan2(s1, c1)
 
         # theta2, r3
@@ -234,7 +231,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, r3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free2 or free4 else OK
 
 
 @_HOW.merged

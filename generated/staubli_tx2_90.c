@@ -150,18 +150,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d2 * sqrt(N1)));
-    const double v1 = t14 * d2, v2 = Y1 * d2;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
+    const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
+    const double v2 = t14 * d2, v3 = Y1 * d2;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double t34 = T34 - d6 * T31;
     const double Z1_3 = t34 - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
+    const double v5 = Z1_3 * Z1_3;
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
     const double v11 = seed[1] + offset2;
@@ -172,25 +172,24 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v2 + t14 * root1)),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v1);
+        const double c1 = -(inverse1 * (v3 + t14 * root1)), s1 = inverse1 * (Y1 * root1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v3 = root1 + a1;
-        const double N3 = v4 + v3 * v3;
+        const double v4 = root1 + a1;
+        const double N3 = v5 + v4 * v4;
         const double K3 = N3 - k5;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double s3 = k5 * K3 * k6;
 
         /* theta2 */
         const double Y1_2 = a2 + d4 * s3;
-        const double v8 = Z1_3 * Y1_2, v9 = v3 * Y1_2;
+        const double v8 = Z1_3 * Y1_2, v9 = v4 * Y1_2;
 
         /* theta4 */
         const double v13 = T11 * c1 + T21 * s1;
@@ -209,7 +208,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double v7 = d4 * v6;
-            const double S2 = v3 * v7 - v8;
+            const double S2 = v4 * v7 - v8;
             const double v10 = Z1_3 * v7 + v9;
             const double w2 = sqrt(S2 * S2 + v10 * v10);
             const int free2 = w2 <= free_limit_squared2;
@@ -254,7 +253,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -285,23 +284,23 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1,
-        D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v1 = inverse1 * (d2 * Y1), v2 = v1 + w1 * (t14 * inverse1),
-        v3 = v1 + w1 * (inverse1 * -t14), v4 = inverse1 * (d2 * t14),
-        s1_p = w1 * (Y1 * inverse1) - v4, s1_m = w1 * (inverse1 * -Y1) - v4;
+        D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d2 * Y1), v3 = v2 + w1 * (t14 * inverse1),
+        v4 = v2 + w1 * (inverse1 * -t14), v5 = inverse1 * (d2 * t14),
+        s1_p = w1 * (Y1 * inverse1) - v5, s1_m = w1 * (inverse1 * -Y1) - v5;
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, v5 = a1 + w1, v6 = a1 - w1, v7 = Z1_3 * Z1_3,
-        N3_p = v7 + v5 * v5, N3_m = v7 + v6 * v6, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v8 = k4 * w1, w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v9 = m4 * v7 + (m4 * N1 - 1.0), v10 = m3 * w1,
+    const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, v6 = a1 + w1, v7 = a1 - w1, v8 = Z1_3 * Z1_3,
+        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
+        w3_m = dhgen_sqrt_wide(D3_m), v9 = m4 * v8 + (m4 * N1 - 1.0), v10 = m3 * w1,
         s3_p = v9 + v10, s3_m = v9 - v10, v11 = k6 * (k5 * w3_p), v12 = k6 * (k5 * w3_m);
 
     /* theta2 */
     const dhgen_wide Y1_2_p = a2 + d4 * s3_p, Y1_2_m = a2 + d4 * s3_m, v13 = Z1_3 * Y1_2_p,
-        v14 = Z1_3 * Y1_2_m, v15 = w3_p * (m5 * v5), S2_pp = v15 - v13, v16 = v13 + v15,
-        S2_mp = w3_m * (m5 * v6) - v14, S2_mm = w3_m * (m5 * -v6) - v14, v17 = v5 * Y1_2_p,
-        v18 = v6 * Y1_2_m, v19 = m5 * Z1_3, v20 = m5 * -Z1_3, v21 = v17 + w3_p * v19,
+        v14 = Z1_3 * Y1_2_m, v15 = w3_p * (m5 * v6), S2_pp = v15 - v13, v16 = v13 + v15,
+        S2_mp = w3_m * (m5 * v7) - v14, S2_mm = w3_m * (m5 * -v7) - v14, v17 = v6 * Y1_2_p,
+        v18 = v7 * Y1_2_m, v19 = m5 * Z1_3, v20 = m5 * -Z1_3, v21 = v17 + w3_p * v19,
         v22 = v17 + w3_p * v20, v23 = v18 + w3_m * v19, v24 = v18 + w3_m * v20,
         v25 = S2_pp * S2_pp + v21 * v21, v26 = v16 * v16 + v22 * v22,
         v27 = S2_mp * S2_mp + v23 * v23, v28 = S2_mm * S2_mm + v24 * v24,
@@ -314,19 +313,19 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide v29 = s3_p * S2_pp - v11 * v21, v30 = v11 * v22 - s3_p * v16,
         v31 = s3_m * S2_mp - v12 * v23, v32 = s3_m * S2_mm + v12 * v24,
         v33 = s3_p * v21 + v11 * S2_pp, v34 = s3_p * v22 + v11 * v16,
-        v35 = s3_m * v23 + v12 * S2_mp, v36 = s3_m * v24 - v12 * S2_mm, v37 = T21 * s1_p - T11 * v2,
-        v38 = T21 * s1_m - T11 * v3, X4_pp = v29 * v37 - T31 * v33, X4_pm = v30 * v37 - T31 * v34,
-        X4_mp = v31 * v38 - T31 * v35, X4_mm = v32 * v38 - T31 * v36, v39 = T21 * v2 + T11 * s1_p,
-        v40 = T21 * v3 + T11 * s1_m, v41 = v39 * v39, v42 = v40 * v40,
+        v35 = s3_m * v23 + v12 * S2_mp, v36 = s3_m * v24 - v12 * S2_mm, v37 = T21 * s1_p - T11 * v3,
+        v38 = T21 * s1_m - T11 * v4, X4_pp = v29 * v37 - T31 * v33, X4_pm = v30 * v37 - T31 * v34,
+        X4_mp = v31 * v38 - T31 * v35, X4_mm = v32 * v38 - T31 * v36, v39 = T21 * v3 + T11 * s1_p,
+        v40 = T21 * v4 + T11 * s1_m, v41 = v39 * v39, v42 = v40 * v40,
         v43 = v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp)),
         v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm)),
         v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp)),
         v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm));
 
     /* theta6 */
-    const dhgen_wide v47 = s1_p * T12 + v2 * T22, v48 = s1_m * T12 + v3 * T22,
-        v49 = s1_p * T22 - v2 * T12, v50 = s1_m * T22 - v3 * T12, v51 = v2 * T23 + s1_p * T13,
-        v52 = v3 * T23 + s1_m * T13, v53 = s1_p * T23 - v2 * T13, v54 = s1_m * T23 - v3 * T13,
+    const dhgen_wide v47 = s1_p * T12 + v3 * T22, v48 = s1_m * T12 + v4 * T22,
+        v49 = s1_p * T22 - v3 * T12, v50 = s1_m * T22 - v4 * T12, v51 = v3 * T23 + s1_p * T13,
+        v52 = v4 * T23 + s1_m * T13, v53 = s1_p * T23 - v3 * T13, v54 = s1_m * T23 - v4 * T13,
         angle1 = dhgen_atan2_wide(-(v51 * -X4_pp + v39 * (v29 * v53 - v33 * T33)), v47 * -X4_pp +
             v39 * (v29 * v49 - v33 * T32)),
         angle2 = dhgen_atan2_wide(-(v51 * -X4_pm + v39 * (v30 * v53 - v34 * T33)), v47 * -X4_pm +
@@ -371,8 +370,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         q5_mpm = dhgen_only_wide(-v78 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v78,
         q5_mmp = dhgen_raised_wide(v79),
         q5_mmm = dhgen_only_wide(-v80 <= -DHGEN_HALF_TURN, DHGEN_TURN) - v80,
-        angle19 = dhgen_atan2_wide(s1_p, -v2), q1_ppp = angle19 + (w3_p - w3_p),
-        angle20 = dhgen_atan2_wide(s1_m, -v3), q1_mpp = angle20 + (w3_m - w3_m),
+        angle19 = dhgen_atan2_wide(s1_p, -v3), q1_ppp = angle19 + (w3_p - w3_p),
+        angle20 = dhgen_atan2_wide(s1_m, -v4), q1_mpp = angle20 + (w3_m - w3_m),
         v81 = dhgen_maximum_wide(dhgen_beyond_wide(q2_ppp, joints + 1), dhgen_exceeds_wide(q3_ppp,
             joints + 2)),
         v82 = dhgen_maximum_wide(dhgen_beyond_wide(q2_pmp, joints + 1), dhgen_exceeds_wide(q3_pmp,
@@ -421,8 +420,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v46 <= m7) | (v28 <= m6) | (v45 <= m7) | (v27 <= m6) | (v44 <= m7) |
-        (v26 <= m6) | (v43 <= m7) | (v25 <= m6) | (dhgen_abs_wide(D3_m * v8) <= m2) |
-        (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3_p * v8) <= m2)) |
+        (v26 <= m6) | (v43 <= m7) | (v25 <= m6) | (dhgen_abs_wide(v1 * D3_m) <= m2) |
+        (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(v1 * D3_p) <= m2)) |
         (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
@@ -445,45 +444,44 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (d2 * Y1);
-    const dhgen_four v2 = v1 + w1 * (inverse1 * (e1 * t14));
-    const double v3 = inverse1 * (d2 * t14);
-    const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v3;
+        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * Y1);
+    const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * t14));
+    const double v4 = inverse1 * (d2 * t14);
+    const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v4;
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1;
-    const dhgen_four v4 = a1 + e1 * w1;
-    const double v5 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3);
-    const double v6 = k4 * w1;
-    const dhgen_four w3 = dhgen_sqrt_four(D3);
-    const double v7 = m4 * v5 + (m4 * N1 - 1.0);
+    const dhgen_four v5 = a1 + e1 * w1;
+    const double v6 = Z1_3 * Z1_3;
+    const dhgen_four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3);
+    const double v7 = m4 * v6 + (m4 * N1 - 1.0);
     const dhgen_four s3 = v7 + w1 * (m3 * e1), v8 = k6 * (k5 * w3);
 
     /* theta2 */
-    const dhgen_four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e3 * v4)) - v9,
-        v10 = v4 * Y1_2, v11 = m5 * (e3 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
+    const dhgen_four Y1_2 = a2 + d4 * s3, v9 = Z1_3 * Y1_2, S2 = w3 * (m5 * (e3 * v5)) - v9,
+        v10 = v5 * Y1_2, v11 = m5 * (e3 * Z1_3), v12 = v10 + w3 * v11, v13 = S2 * S2 + v12 * v12,
         factor2 = dhgen_sqrt_four(v13) * DHGEN_QUOTIENT(1.0, v13);
 
     /* theta4 */
     const dhgen_four v14 = s3 * S2 - e3 * (v8 * v12), v15 = s3 * v12 + e3 * (v8 * S2),
-        v16 = T21 * s1 - T11 * v2, X4 = v14 * v16 - T31 * v15, v17 = T21 * v2 + T11 * s1,
+        v16 = T21 * s1 - T11 * v3, X4 = v14 * v16 - T31 * v15, v17 = T21 * v3 + T11 * s1,
         v18 = v17 * v17, v19 = v18 + factor2 * (X4 * (factor2 * X4));
 
     /* theta6 */
-    const dhgen_four v20 = s1 * T12 + v2 * T22, v21 = s1 * T22 - v2 * T12,
-        v22 = v2 * T23 + s1 * T13, v23 = s1 * T23 - v2 * T13;
+    const dhgen_four v20 = s1 * T12 + v3 * T22, v21 = s1 * T22 - v3 * T12,
+        v22 = v3 * T23 + s1 * T13, v23 = s1 * T23 - v3 * T13;
 
     /* joint values */
     const dhgen_four v25 = dhgen_signed_four(DHGEN_HALF_TURN, s3), v26 = m8 * (1.0 - e3),
         v28 = dhgen_signed_four(DHGEN_HALF_TURN, -v17);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3
-        * v6) <= m2) | ((v13 <= m6) | (v19 <= m7))) | (unsigned)(fabs(D1) <= m1))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(v1
+        * D3) <= m2) | ((v13 <= m6) | (v19 <= m7))) | (unsigned)(fabs(D1) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(S2, -v12),
-        ratio2 = dhgen_ratio_four(dhgen_shuffle(s3, s1, 0, 5, 2, 7), dhgen_shuffle(-v8, -v2, 0, 5,
+        ratio2 = dhgen_ratio_four(dhgen_shuffle(s3, s1, 0, 5, 2, 7), dhgen_shuffle(-v8, -v3, 0, 5,
             2, 7)),
         ratio3 = dhgen_ratio_four(-(v22 * -X4 + v17 * (v14 * v23 - v15 * T33)), v20 * -X4 + v17 *
             (v14 * v21 - v15 * T32)), ratio4 = dhgen_ratio_four(-v17, factor2 * -X4),
@@ -526,12 +524,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.6545, 0.6545, 0.6545, 1.0, 1.0, 1.0 }, 0.6544502617801046, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx2_90_fk,
     staubli_tx2_90_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

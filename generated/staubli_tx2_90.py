@@ -107,7 +107,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(3, 1, 0),
+    choosable=(3, 1),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -207,20 +207,19 @@ def _solve(pose, q_free, seed, moved, q, status):
     t14 = T14 - d6 * T11
     Y1 = d6 * T21 - T24
     N1 = t14 * t14 + Y1 * Y1
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d2 * math.sqrt(N1)))
-    v1, v2 = t14 * d2, Y1 * d2
+    v1 = (w1 if apart1 else least_root1) * k4
+    inverse1 = 1.0 / (N1 if apart1 else d2 * math.sqrt(N1))
+    v2, v3 = t14 * d2, Y1 * d2
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     t34 = T34 - d6 * T31
     Z1_3 = t34 - d1
-    v4 = Z1_3 * Z1_3
-    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
+    v5 = Z1_3 * Z1_3
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
     v11 = seed[1] + offset2
@@ -231,27 +230,26 @@ def _solve(pose, q_free, seed, moved, q, status):
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else -(inverse1 * (v2 + t14 * root1))
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v1)
+        c1, s1 = -(inverse1 * (v3 + t14 * root1)), inverse1 * (Y1 * root1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v3 = root1 + a1
-        N3 = v4 + v3 * v3
+        v4 = root1 + a1
+        N3 = v5 + v4 * v4
         K3 = N3 - k5
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v5):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         s3 = k5 * K3 * k6
 
         # theta2
         Y1_2 = a2 + d4 * s3
-        v8, v9 = Z1_3 * Y1_2, v3 * Y1_2
+        v8, v9 = Z1_3 * Y1_2, v4 * Y1_2
 
         # theta4
         v13 = T11 * c1 + T21 * s1
@@ -271,7 +269,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             v7 = d4 * v6
-            S2 = v3 * v7 - v8
+            S2 = v4 * v7 - v8
             v10 = Z1_3 * v7 + v9
             w2 = math.sqrt(S2 * S2 + v10 * v10)
             free2 = w2 <= free_limit_squared2
@@ -317,7 +315,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free2 or free4 else OK
 
 
 @_HOW.merged
@@ -337,26 +335,27 @@ def _formulas(kept, turns, rows, w):
         t14, Y1 = T14 - d6 * T11, d6 * T21 - T24
         N1 = t14 * t14 + Y1 * Y1
         D1 = N1 - k1
-        w1, inverse1 = math.sqrt(D1), 1.0 / N1
-        v1 = inverse1 * (d2 * Y1)
-        v2, v3, v4 = v1 + w1 * (t14 * inverse1), v1 + w1 * (inverse1 * -t14), inverse1 * (d2 * t14)
-        s1_p, s1_m = w1 * (Y1 * inverse1) - v4, w1 * (inverse1 * -Y1) - v4
+        w1 = math.sqrt(D1)
+        v1, inverse1 = k4 * w1, 1.0 / N1
+        v2 = inverse1 * (d2 * Y1)
+        v3, v4, v5 = v2 + w1 * (t14 * inverse1), v2 + w1 * (inverse1 * -t14), inverse1 * (d2 * t14)
+        s1_p, s1_m = w1 * (Y1 * inverse1) - v5, w1 * (inverse1 * -Y1) - v5
 
         # theta3, type 8: U1[2, 4] and U1[1, 4]
-        Z1_3, v5, v6 = T34 - d6 * T31 - d1, a1 + w1, a1 - w1
-        v7 = Z1_3 * Z1_3
-        N3_p, N3_m = v7 + v5 * v5, v7 + v6 * v6
+        Z1_3, v6, v7 = T34 - d6 * T31 - d1, a1 + w1, a1 - w1
+        v8 = Z1_3 * Z1_3
+        N3_p, N3_m = v8 + v6 * v6, v8 + v7 * v7
         D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        v8, w3_p, w3_m = k4 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
-        v9, v10 = m4 * v7 + (m4 * N1 - 1.0), m3 * w1
+        w3_p, w3_m, v9 = math.sqrt(D3_p), math.sqrt(D3_m), m4 * v8 + (m4 * N1 - 1.0)
+        v10 = m3 * w1
         s3_p, s3_m, v11 = v9 + v10, v9 - v10, k6 * (k5 * w3_p)
         v12 = k6 * (k5 * w3_m)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2_p, Y1_2_m = a2 + d4 * s3_p, a2 + d4 * s3_m
-        v13, v14, v15 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, w3_p * (m5 * v5)
-        S2_pp, v16, S2_mp = v15 - v13, v13 + v15, w3_m * (m5 * v6) - v14
-        S2_mm, v17, v18 = w3_m * (m5 * -v6) - v14, v5 * Y1_2_p, v6 * Y1_2_m
+        v13, v14, v15 = Z1_3 * Y1_2_p, Z1_3 * Y1_2_m, w3_p * (m5 * v6)
+        S2_pp, v16, S2_mp = v15 - v13, v13 + v15, w3_m * (m5 * v7) - v14
+        S2_mm, v17, v18 = w3_m * (m5 * -v7) - v14, v6 * Y1_2_p, v7 * Y1_2_m
         v19, v20 = m5 * Z1_3, m5 * -Z1_3
         v21, v22, v23 = v17 + w3_p * v19, v17 + w3_p * v20, v18 + w3_m * v19
         v24, v25, v26 = v18 + w3_m * v20, S2_pp * S2_pp + v21 * v21, v16 * v16 + v22 * v22
@@ -367,19 +366,19 @@ def _formulas(kept, turns, rows, w):
         # theta4, type 2: U4[3, 3]
         v29, v30, v31 = s3_p * S2_pp - v11 * v21, v11 * v22 - s3_p * v16, s3_m * S2_mp - v12 * v23
         v32, v33, v34 = s3_m * S2_mm + v12 * v24, s3_p * v21 + v11 * S2_pp, s3_p * v22 + v11 * v16
-        v35, v36, v37 = s3_m * v23 + v12 * S2_mp, s3_m * v24 - v12 * S2_mm, T21 * s1_p - T11 * v2
-        v38, X4_pp, X4_pm = T21 * s1_m - T11 * v3, v29 * v37 - T31 * v33, v30 * v37 - T31 * v34
-        X4_mp, X4_mm, v39 = v31 * v38 - T31 * v35, v32 * v38 - T31 * v36, T21 * v2 + T11 * s1_p
-        v40, v41 = T21 * v3 + T11 * s1_m, v39 * v39
+        v35, v36, v37 = s3_m * v23 + v12 * S2_mp, s3_m * v24 - v12 * S2_mm, T21 * s1_p - T11 * v3
+        v38, X4_pp, X4_pm = T21 * s1_m - T11 * v4, v29 * v37 - T31 * v33, v30 * v37 - T31 * v34
+        X4_mp, X4_mm, v39 = v31 * v38 - T31 * v35, v32 * v38 - T31 * v36, T21 * v3 + T11 * s1_p
+        v40, v41 = T21 * v4 + T11 * s1_m, v39 * v39
         v42, v43 = v40 * v40, v41 + factor2_pp * (X4_pp * (factor2_pp * X4_pp))
         v44 = v41 + factor2_pm * (X4_pm * (factor2_pm * X4_pm))
         v45 = v42 + factor2_mp * (X4_mp * (factor2_mp * X4_mp))
         v46 = v42 + factor2_mm * (X4_mm * (factor2_mm * X4_mm))
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v47, v48, v49 = s1_p * T12 + v2 * T22, s1_m * T12 + v3 * T22, s1_p * T22 - v2 * T12
-        v50, v51, v52 = s1_m * T22 - v3 * T12, v2 * T23 + s1_p * T13, v3 * T23 + s1_m * T13
-        v53, v54 = s1_p * T23 - v2 * T13, s1_m * T23 - v3 * T13
+        v47, v48, v49 = s1_p * T12 + v3 * T22, s1_m * T12 + v4 * T22, s1_p * T22 - v3 * T12
+        v50, v51, v52 = s1_m * T22 - v4 * T12, v3 * T23 + s1_p * T13, v4 * T23 + s1_m * T13
+        v53, v54 = s1_p * T23 - v3 * T13, s1_m * T23 - v4 * T13
 
         # joint values
         v63, v64 = math.copysign(half_turn, -v39), math.copysign(half_turn, -v40)
@@ -387,7 +386,7 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43
-            <= m7 or v25 <= m6 or abs(D3_m * v8) <= m2 or abs(D1) <= m1 or abs(D3_p * v8) <= m2 else
+            <= m7 or v25 <= m6 or abs(v1 * D3_m) <= m2 or abs(D1) <= m1 or abs(v1 * D3_p) <= m2 else
             kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, s3_p
@@ -419,8 +418,8 @@ def _formulas(kept, turns, rows, w):
         turns[38 * w + k] = factor2_pp * (T31 * v29 + v33 * v37)
         turns[39 * w + k] = factor2_pm * (T31 * v30 + v34 * v37)
         turns[40 * w + k] = factor2_mp * (T31 * v31 + v35 * v38)
-        turns[41 * w + k], turns[42 * w + k] = factor2_mm * (T31 * v32 + v36 * v38), -v2
-        turns[43 * w + k] = -v3
+        turns[41 * w + k], turns[42 * w + k] = factor2_mm * (T31 * v32 + v36 * v38), -v3
+        turns[43 * w + k] = -v4
     if w == 1 and kept[16] != 0.0:
         return
     end = 24 if w == 1 else 20 * w

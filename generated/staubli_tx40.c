@@ -149,54 +149,53 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v1 = X1 * d3, v2 = wy * d3, v3 = seed[0] + offset1;
+    const double v1 = (apart1 ? w1 : least_root1) * k4;
+    const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
+    const double v2 = X1 * d3, v3 = wy * d3;
 
     /* theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
     const double wz = T34 - d6 * T33;
     const double Z1_3 = wz - d1;
-    const double v4 = Z1_3 * Z1_3, v5 = free1 ? 1.0 : (apart1 ? w1 : least_root1) * k4;
+    const double v4 = Z1_3 * Z1_3;
 
     /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
-    const double v9 = seed[1] + offset2;
+    const double v8 = seed[1] + offset2;
 
     /* theta4, type 2: U4[3, 3] */
-    const double v13 = seed[3] + offset4;
+    const double v12 = seed[3] + offset4;
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v3) : -(inverse1 * (v2 + X1 * root1)),
-            s1 = free1 ? sin(v3) : inverse1 * (wy * root1 - v1);
+        const double c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
 
         /* theta3 */
         const double N3 = v4 + root1 * root1;
         const double K3 = N3 - k5;
         const double D3 = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v5)) continue; /* out of reach */
+        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double s3 = k5 * K3 * k6;
 
         /* theta2 */
         const double X1_2 = a2 + d4 * s3;
-        const double v7 = Z1_3 * X1_2, v8 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
 
         /* theta4 */
-        const double v11 = T13 * c1 + T23 * s1;
+        const double v10 = T13 * c1 + T23 * s1;
         const double Y4 = T13 * s1 - T23 * c1;
-        const double v12 = Y4 * Y4;
+        const double v11 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v14 = T22 * c1 - T12 * s1, v15 = T12 * c1 + T22 * s1,
-            v17 = T21 * c1 - T11 * s1, v18 = T11 * c1 + T21 * s1;
+        const double v13 = T22 * c1 - T12 * s1, v14 = T12 * c1 + T22 * s1,
+            v16 = T21 * c1 - T11 * s1, v17 = T11 * c1 + T21 * s1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
@@ -205,52 +204,52 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double v6 = k6 * (k5 * (w3 * e3));
+            const double v5 = k6 * (k5 * (w3 * e3));
 
             /* theta2 */
-            const double Y1_2 = d4 * v6;
-            const double S2 = v7 - root1 * Y1_2;
-            const double C2 = v8 + Z1_3 * Y1_2;
+            const double Y1_2 = d4 * v5;
+            const double S2 = v6 - root1 * Y1_2;
+            const double C2 = v7 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v9) : C2 * factor2, s2 = free2 ? sin(v9) : S2 * factor2;
+            const double c2 = free2 ? cos(v8) : C2 * factor2, s2 = free2 ? sin(v8) : S2 * factor2;
 
             /* theta4 */
-            const double v10 = v6 * c2 + s3 * s2;
-            const double s23 = s3 * c2 - v6 * s2;
-            const double X4 = v10 * v11 - T33 * s23;
-            const double w4 = sqrt(X4 * X4 + v12);
+            const double v9 = v5 * c2 + s3 * s2;
+            const double s23 = s3 * c2 - v5 * s2;
+            const double X4 = v9 * v10 - T33 * s23;
+            const double w4 = sqrt(X4 * X4 + v11);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta6 */
-            const double v16 = T32 * s23 - v10 * v15, v19 = T31 * s23 - v10 * v18;
+            const double v15 = T32 * s23 - v9 * v14, v18 = T31 * s23 - v9 * v17;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
-            const double q3 = dhgen_wrap(atan2(s3, -v6) - offset3);
+            const double q3 = dhgen_wrap(atan2(s3, -v5) - offset3);
 
             for (int i3 = 0; i3 < 2; i3++) { /* noflip, flip */
                 const double e4 = i3 == 0 ? 1.0 : -1.0;
                 /* theta4 */
                 if (e4 < 0.0 && free4) continue; /* both signs give the same */
                 const double factor4 = e4 / divisor4;
-                const double c4 = free4 ? cos(v13) : -(X4 * factor4),
-                    s4 = free4 ? sin(v13) : Y4 * factor4;
+                const double c4 = free4 ? cos(v12) : -(X4 * factor4),
+                    s4 = free4 ? sin(v12) : Y4 * factor4;
                 const double s5 = w4 * e4;
 
                 /* theta6 */
-                const double c6 = c4 * v14 + s4 * v16, s6 = c4 * v17 + s4 * v19;
+                const double c6 = c4 * v13 + s4 * v15, s6 = c4 * v16 + s4 * v18;
                 const double q6 = atan2(s6, c6);
 
                 /* joint values */
                 const double q4 = dhgen_wrap(atan2(s4, c4) - offset4);
-                const double q5 = dhgen_wrap(atan2(s5, -(T33 * v10 + s23 * v11)) - offset5);
+                const double q5 = dhgen_wrap(atan2(s5, -(T33 * v9 + s23 * v10)) - offset5);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -481,12 +480,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 1.149, 1.149, 1.149, 1.0, 1.0, 1.0 }, 1.1494252873563218, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, staubli_tx40_fk,
     staubli_tx40_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

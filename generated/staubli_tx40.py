@@ -191,58 +191,56 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v1, v2, v3 = X1 * d3, wy * d3, seed[0] + offset1
+    v1 = (w1 if apart1 else least_root1) * k4
+    inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
+    v2, v3 = X1 * d3, wy * d3
 
     # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
     wz = T34 - d6 * T33
     Z1_3 = wz - d1
     v4 = Z1_3 * Z1_3
-    v5 = 1.0 if free1 else (w1 if apart1 else least_root1) * k4
 
     # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
-    v9 = seed[1] + offset2
+    v8 = seed[1] + offset2
 
     # theta4, type 2: U4[3, 3]
-    v13 = seed[3] + offset4
+    v12 = seed[3] + offset4
 
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(v3) if free1 else -(inverse1 * (v2 + X1 * root1))
-        s1 = math.sin(v3) if free1 else inverse1 * (wy * root1 - v1)
+        c1, s1 = -(inverse1 * (v3 + X1 * root1)), inverse1 * (wy * root1 - v2)
 
         # theta3
         N3 = v4 + root1 * root1
         K3 = N3 - k5
         D3 = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v5):
+        if not (-boundary3 <= v1 * D3):
             continue  # out of reach
         w3 = math.sqrt(D3 if apart3 else 0.0)
         s3 = k5 * K3 * k6
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v7, v8 = Z1_3 * X1_2, root1 * X1_2
+        v6, v7 = Z1_3 * X1_2, root1 * X1_2
 
         # theta4
-        v11 = T13 * c1 + T23 * s1
+        v10 = T13 * c1 + T23 * s1
         Y4 = T13 * s1 - T23 * c1
-        v12 = Y4 * Y4
+        v11 = Y4 * Y4
 
         # theta6, type 3: U4[3, 2] and U4[3, 1]
-        v14, v15, v17 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
-        v18 = T11 * c1 + T21 * s1
+        v13, v14, v16 = T22 * c1 - T12 * s1, T12 * c1 + T22 * s1, T21 * c1 - T11 * s1
+        v17 = T11 * c1 + T21 * s1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -252,32 +250,32 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            v6 = k6 * (k5 * (w3 * e3))
+            v5 = k6 * (k5 * (w3 * e3))
 
             # theta2
-            Y1_2 = d4 * v6
-            S2 = v7 - root1 * Y1_2
-            C2 = v8 + Z1_3 * Y1_2
+            Y1_2 = d4 * v5
+            S2 = v6 - root1 * Y1_2
+            C2 = v7 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v9) if free2 else C2 * factor2
-            s2 = math.sin(v9) if free2 else S2 * factor2
+            c2 = math.cos(v8) if free2 else C2 * factor2
+            s2 = math.sin(v8) if free2 else S2 * factor2
 
             # theta4
-            v10 = v6 * c2 + s3 * s2
-            s23 = s3 * c2 - v6 * s2
-            X4 = v10 * v11 - T33 * s23
-            w4 = math.sqrt(X4 * X4 + v12)
+            v9 = v5 * c2 + s3 * s2
+            s23 = s3 * c2 - v5 * s2
+            X4 = v9 * v10 - T33 * s23
+            w4 = math.sqrt(X4 * X4 + v11)
             free4 = w4 <= free_limit
             divisor4 = 1.0 if free4 else w4
 
             # theta6
-            v16, v19 = T32 * s23 - v10 * v15, T31 * s23 - v10 * v18
+            v15, v18 = T32 * s23 - v9 * v14, T31 * s23 - v9 * v17
 
             # joint values
             q2 = _wrap(_atan2(s2, c2) - offset2)
-            q3 = _wrap(_atan2(s3, -v6) - offset3)
+            q3 = _wrap(_atan2(s3, -v5) - offset3)
 
             for i3 in range(2):  # noflip, flip
                 e4 = 1.0 - 2.0 * i3
@@ -285,21 +283,21 @@ def _solve(pose, q_free, seed, moved, q, status):
                 if e4 < 0.0 and free4:
                     continue  # both signs give the same
                 factor4 = e4 / divisor4
-                c4 = math.cos(v13) if free4 else -(X4 * factor4)
-                s4 = math.sin(v13) if free4 else Y4 * factor4
+                c4 = math.cos(v12) if free4 else -(X4 * factor4)
+                s4 = math.sin(v12) if free4 else Y4 * factor4
                 s5 = w4 * e4
 
                 # theta6
-                c6, s6 = c4 * v14 + s4 * v16, c4 * v17 + s4 * v19
+                c6, s6 = c4 * v13 + s4 * v15, c4 * v16 + s4 * v18
                 q6 = _atan2(s6, c6)
 
                 # joint values
                 q4 = _wrap(_atan2(s4, c4) - offset4)
-                q5 = _wrap(_atan2(s5, -(T33 * v10 + s23 * v11)) - offset5)
+                q5 = _wrap(_atan2(s5, -(T33 * v9 + s23 * v10)) - offset5)
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free4 else OK
+                status[row] = FREE_JOINT if free2 or free4 else OK
 
 
 @_HOW.merged

@@ -34,7 +34,6 @@ static const double
     a3 = 0.4115, /* link length 3 [m] */
     d5 = 0.106, /* joint offset 5 [m] */
     d6 = 0.11315, /* joint offset 6 [m] */
-    free_limit_squared2 = 1.7613271225000004e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 4.196816796692465e-07, /* a root of nothing, by rounding [m] */
     offset1 = 3.141592653589793, /* offset of joint 1 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
@@ -151,28 +150,23 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d3 * sqrt(N1)));
-    const double v2 = X1 * d3, v3 = wy * d3, v4 = seed[0] + offset1;
+    const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
+    const double v2 = X1 * d3, v3 = wy * d3;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
-    const double v8 = T34 - d1;
-
-    /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v13 = seed[1] + offset2;
+    const double v7 = T34 - d1;
 
     for (int i1 = 0; i1 < 2; i1++) { /* left, right */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(v4) : inverse1 * (v3 - X1 * root1),
-            s1 = free1 ? sin(v4) : inverse1 * (v2 + wy * root1);
+        const double c1 = inverse1 * (v3 - X1 * root1), s1 = inverse1 * (v2 + wy * root1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
         const double X6 = T21 * c1 - T11 * s1;
@@ -186,7 +180,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c5 = T23 * c1 - T13 * s1;
 
         /* theta3 */
-        const double v9 = T14 * c1 + T24 * s1, v10 = (free1 || near6) ? 1.0 : v1;
+        const double v8 = T14 * c1 + T24 * s1, v9 = near6 ? 1.0 : v1;
 
         /* joint values */
         const double q1 = dhgen_wrap(atan2(s1, c1) - offset1);
@@ -196,12 +190,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             /* theta6 */
             if (e6 < 0.0 && free6) continue; /* both signs give the same */
             const double factor6 = e6 / divisor6;
-            const double v5 = X6 * factor6, v6 = Y6 * factor6;
-            const double off6 = near6 ? w6 * fabs(v5 * sin(seed[5]) + v6 * cos(seed[5])) : 1.0;
-            const double ahead6 = near6 ? v6 * sin(seed[5]) - v5 * cos(seed[5]) : -1.0;
+            const double v4 = X6 * factor6, v5 = Y6 * factor6;
+            const double off6 = near6 ? w6 * fabs(v4 * sin(seed[5]) + v5 * cos(seed[5])) : 1.0;
+            const double ahead6 = near6 ? v5 * sin(seed[5]) - v4 * cos(seed[5]) : -1.0;
             const int same6 = near6 && 0.0 < ahead6 && off6 <= free_limit;
             const int held6 = free6 || same6;
-            const double c6 = held6 ? cos(seed[5]) : -v5, s6 = held6 ? sin(seed[5]) : v6;
+            const double c6 = held6 ? cos(seed[5]) : -v4, s6 = held6 ? sin(seed[5]) : v5;
             const double q6 = atan2(s6, c6);
             const double s5 = w6 * e6;
 
@@ -214,19 +208,17 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double theta234 = atan2(s234, -Z1_234);
 
             /* theta3 */
-            const double v7 = d6 * s5;
-            const double Z1_3 = v8 - (Z1_234 * d5 + s234 * v7);
-            const double Z2_3 = Z1_234 * v7 - s234 * d5 + v9;
+            const double v6 = d6 * s5;
+            const double Z1_3 = v7 - (Z1_234 * d5 + s234 * v6);
+            const double Z2_3 = Z1_234 * v6 - s234 * d5 + v8;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const double K3 = N3 - k5;
             const double D3 = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(-boundary3 <= D3 * v10)) {
+            if (!(-boundary3 <= D3 * v9)) {
                 if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
-                if (near6) q[4 * i1 + 2 * i2][1] = atan2(v6, -v5);
-                if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
+                if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
                 if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
                 continue; /* out of reach */
@@ -234,9 +226,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double w3 = sqrt(apart3 ? D3 : 0.0);
             const double c3 = K3 * k6;
 
-            /* theta2 */
+            /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + a3 * c3;
-            const double v11 = Z1_3 * X1_2, v12 = Z2_3 * X1_2;
+            const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
             for (int i3 = 0; i3 < 2; i3++) { /* +, - */
                 const double e3 = i3 == 0 ? 1.0 : -1.0;
@@ -249,13 +241,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
                 /* theta2 */
                 const double Y1_2 = a3 * s3;
-                const double S2 = v11 - Z2_3 * Y1_2;
-                const double C2 = v12 + Z1_3 * Y1_2;
+                const double S2 = v10 - Z2_3 * Y1_2;
+                const double C2 = v11 + Z1_3 * Y1_2;
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
-                const int free2 = w2 <= free_limit_squared2;
-                const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-                const double c2 = free2 ? cos(v13) : C2 * factor2,
-                    s2 = free2 ? sin(v13) : S2 * factor2;
+                const double factor2 = 1.0 / w2;
+                const double c2 = C2 * factor2, s2 = S2 * factor2;
                 const double theta2 = atan2(s2, c2);
 
                 /* joint values */
@@ -264,7 +254,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = free6 ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -506,13 +496,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 5, 1, 0 };
-DHGEN_TABLE int together[2] = { 0, 5 };
+DHGEN_TABLE int choosable[1] = { 5 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7535, 0.7535, 0.7535, 1.0, 1.0, 1.0 }, 0.753494329955167, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, techman_tm5_900_fk,
     techman_tm5_900_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -61,7 +61,6 @@ d3 = 0.1223  # joint offset 3 [m]
 a3 = 0.4115  # link length 3 [m]
 d5 = 0.106  # joint offset 5 [m]
 d6 = 0.11315  # joint offset 6 [m]
-free_limit_squared2 = 1.7613271225000004e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 4.196816796692465e-07  # a root of nothing, by rounding [m]
 offset1 = 3.141592653589793  # offset of joint 1 [rad]
 free_limit = 1e-12  # a length that fixes no angle
@@ -103,7 +102,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(5, 1, 0), together=(0, 5),
+    choosable=(5,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -199,30 +198,25 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d3 * math.sqrt(N1)))
-    v2, v3, v4 = X1 * d3, wy * d3, seed[0] + offset1
+    inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
+    v2, v3 = X1 * d3, wy * d3
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
-    v8 = T34 - d1
-
-    # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v13 = seed[1] + offset2
+    v7 = T34 - d1
 
     for i1 in range(2):  # left, right
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(v4) if free1 else inverse1 * (v3 - X1 * root1)
-        s1 = math.sin(v4) if free1 else inverse1 * (v2 + wy * root1)
+        c1, s1 = inverse1 * (v3 - X1 * root1), inverse1 * (v2 + wy * root1)
 
         # theta6, type 2: U1 A6^-1 [3, 2]
         X6 = T21 * c1 - T11 * s1
@@ -236,8 +230,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         c5 = T23 * c1 - T13 * s1
 
         # theta3
-        v9 = T14 * c1 + T24 * s1
-        v10 = 1.0 if (free1 or near6) else v1
+        v8 = T14 * c1 + T24 * s1
+        v9 = 1.0 if near6 else v1
 
         # joint values
         q1 = _wrap(_atan2(s1, c1) - offset1)
@@ -248,13 +242,13 @@ def _solve(pose, q_free, seed, moved, q, status):
             if e6 < 0.0 and free6:
                 continue  # both signs give the same
             factor6 = e6 / divisor6
-            v5, v6 = X6 * factor6, Y6 * factor6
-            off6 = w6 * abs(v5 * math.sin(seed[5]) + v6 * math.cos(seed[5])) if near6 else 1.0
-            ahead6 = v6 * math.sin(seed[5]) - v5 * math.cos(seed[5]) if near6 else -1.0
+            v4, v5 = X6 * factor6, Y6 * factor6
+            off6 = w6 * abs(v4 * math.sin(seed[5]) + v5 * math.cos(seed[5])) if near6 else 1.0
+            ahead6 = v5 * math.sin(seed[5]) - v4 * math.cos(seed[5]) if near6 else -1.0
             same6 = near6 and 0.0 < ahead6 and off6 <= free_limit
             held6 = free6 or same6
-            c6 = math.cos(seed[5]) if held6 else -v5
-            s6 = math.sin(seed[5]) if held6 else v6
+            c6 = math.cos(seed[5]) if held6 else -v4
+            s6 = math.sin(seed[5]) if held6 else v5
             q6 = _atan2(s6, c6)
             s5 = w6 * e6
 
@@ -267,21 +261,18 @@ def _solve(pose, q_free, seed, moved, q, status):
             theta234 = _atan2(s234, -Z1_234)
 
             # theta3
-            v7 = d6 * s5
-            Z1_3 = v8 - (Z1_234 * d5 + s234 * v7)
-            Z2_3 = Z1_234 * v7 - s234 * d5 + v9
+            v6 = d6 * s5
+            Z1_3 = v7 - (Z1_234 * d5 + s234 * v6)
+            Z2_3 = Z1_234 * v6 - s234 * d5 + v8
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k5
             D3 = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
-            if not (-boundary3 <= D3 * v10):
+            if not (-boundary3 <= D3 * v9):
                 if near6:
                     status[4 * i1 + 2 * i2] = _status.NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
-                    q[4 * i1 + 2 * i2, 1] = _atan2(v6, -v5)
-                if free1:
-                    status[4 * i1 + 2 * i2] = _status.LOST + 1
-                    q[4 * i1 + 2 * i2, 0] = D3
+                    q[4 * i1 + 2 * i2, 1] = _atan2(v5, -v4)
                 if free6:
                     status[4 * i1 + 2 * i2] = _status.LOST + 6
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -289,9 +280,9 @@ def _solve(pose, q_free, seed, moved, q, status):
             w3 = math.sqrt(D3 if apart3 else 0.0)
             c3 = K3 * k6
 
-            # theta2
+            # theta2, type 3: U1[2, 4] and U1[1, 4]
             X1_2 = a2 + a3 * c3
-            v11, v12 = Z1_3 * X1_2, Z2_3 * X1_2
+            v10, v11 = Z1_3 * X1_2, Z2_3 * X1_2
 
             for i3 in range(2):  # +, -
                 e3 = 1.0 - 2.0 * i3
@@ -306,13 +297,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
                 # theta2
                 Y1_2 = a3 * s3
-                S2 = v11 - Z2_3 * Y1_2
-                C2 = v12 + Z1_3 * Y1_2
+                S2 = v10 - Z2_3 * Y1_2
+                C2 = v11 + Z1_3 * Y1_2
                 w2 = math.sqrt(S2 * S2 + C2 * C2)
-                free2 = w2 <= free_limit_squared2
-                factor2 = 1.0 / (1.0 if free2 else w2)
-                c2 = math.cos(v13) if free2 else C2 * factor2
-                s2 = math.sin(v13) if free2 else S2 * factor2
+                factor2 = 1.0 / w2
+                c2, s2 = C2 * factor2, S2 * factor2
                 theta2 = _atan2(s2, c2)
 
                 # joint values
@@ -321,7 +310,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free6 else OK
+                status[row] = FREE_JOINT if free6 else OK
 
 
 @_HOW.merged

@@ -59,7 +59,6 @@ a3 = -0.57155  # link length 3 [m]
 d4 = 0.17415  # joint offset 4 [m]
 d5 = 0.11985  # joint offset 5 [m]
 d6 = 0.11655  # joint offset 6 [m]
-free_limit_squared2 = 3.1524002499999992e-24  # square of a length that fixes no angle [m^2]
 least_root1 = 5.614623985628957e-07  # a root of nothing, by rounding [m]
 free_limit = 1e-12  # a length that fixes no angle
 near_limit = 0.001  # a length whose direction is good to few digits
@@ -96,7 +95,7 @@ _ARM = _arms.arm_numbers(_arms.Arm(
         "range exceeds a turn",
         "follows seed",
     ),
-    choosable=(5, 1, 0), together=(0, 5),
+    choosable=(5,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -189,14 +188,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    free1 = N1 <= free_limit_squared2
     D1 = N1 - k1
     apart1 = k3 < D1
     if not (-k2 <= D1):
         return  # out of reach
     w1 = math.sqrt(D1 if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
-    inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else d4 * math.sqrt(N1)))
+    inverse1 = 1.0 / (N1 if apart1 else d4 * math.sqrt(N1))
     v2, v3 = X1 * d4, wy * d4
 
     # theta3, type 8: U1[2, 4] and U1[1, 4]
@@ -205,11 +203,10 @@ def _solve(pose, q_free, seed, moved, q, status):
     for i1 in range(2):  # right, left
         e1 = 1.0 - 2.0 * i1
         # theta1
-        if e1 < 0.0 and (free1 or not apart1):
+        if e1 < 0.0 and not apart1:
             continue  # both signs give the same
         root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else -(inverse1 * (v3 + X1 * root1))
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (wy * root1 - v2)
+        c1, s1 = -(inverse1 * (v3 + X1 * root1)), inverse1 * (wy * root1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta6, type 2: U1 A6^-1 [3, 2]
@@ -225,7 +222,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta3
         v8 = T14 * c1 + T24 * s1
-        v9 = 1.0 if (free1 or near6) else v1
+        v9 = 1.0 if near6 else v1
 
         for i2 in range(2):  # noflip, flip
             e6 = 1.0 - 2.0 * i2
@@ -263,9 +260,6 @@ def _solve(pose, q_free, seed, moved, q, status):
                     status[4 * i1 + 2 * i2] = _status.NEARLY + 6
                     q[4 * i1 + 2 * i2, 0] = D3
                     q[4 * i1 + 2 * i2, 1] = _atan2(v5, -v4)
-                if free1:
-                    status[4 * i1 + 2 * i2] = _status.LOST + 1
-                    q[4 * i1 + 2 * i2, 0] = D3
                 if free6:
                     status[4 * i1 + 2 * i2] = _status.LOST + 6
                     q[4 * i1 + 2 * i2, 0] = D3
@@ -293,10 +287,8 @@ def _solve(pose, q_free, seed, moved, q, status):
                 S2 = v10 - Z2_3 * Y1_2
                 C2 = v11 + Z1_3 * Y1_2
                 w2 = math.sqrt(S2 * S2 + C2 * C2)
-                free2 = w2 <= free_limit_squared2
-                factor2 = 1.0 / (1.0 if free2 else w2)
-                c2 = math.cos(seed[1]) if free2 else C2 * factor2
-                s2 = math.sin(seed[1]) if free2 else S2 * factor2
+                factor2 = 1.0 / w2
+                c2, s2 = C2 * factor2, S2 * factor2
                 q2 = _atan2(s2, c2)
 
                 # joint values
@@ -304,7 +296,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 row = 4 * i1 + 2 * i2 + i3
                 q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
                 q[row, 3], q[row, 4], q[row, 5] = q4, q5, q6
-                status[row] = FREE_JOINT if free1 or free2 or free6 else OK
+                status[row] = FREE_JOINT if free6 else OK
 
 
 @_HOW.merged

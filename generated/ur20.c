@@ -33,7 +33,6 @@ static const double
     d4 = 0.201, /* joint offset 4 [m] */
     d5 = 0.1593, /* joint offset 5 [m] */
     d6 = 0.1543, /* joint offset 6 [m] */
-    free_limit_squared2 = 5.48309056e-24, /* square of a length that fixes no angle [m^2] */
     least_root1 = 7.404789369050277e-07, /* a root of nothing, by rounding [m] */
     free_limit = 1e-12, /* a length that fixes no angle */
     near_limit = 0.001, /* a length whose direction is good to few digits */
@@ -147,13 +146,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const double D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const double w1 = sqrt(apart1 ? D1 : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
-    const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : d4 * sqrt(N1)));
+    const double inverse1 = 1.0 / (apart1 ? N1 : d4 * sqrt(N1));
     const double v2 = X1 * d4, v3 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
@@ -162,10 +160,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
-        if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
         const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : -(inverse1 * (v3 + X1 * root1)),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (wy * root1 - v2);
+        const double c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -180,7 +177,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const double v8 = T14 * c1 + T24 * s1, v9 = (free1 || near6) ? 1.0 : v1;
+        const double v8 = T14 * c1 + T24 * s1, v9 = near6 ? 1.0 : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e6 = i2 == 0 ? 1.0 : -1.0;
@@ -215,8 +212,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
-                if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
                 if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
                 continue; /* out of reach */
@@ -242,10 +237,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const double S2 = v10 - Z2_3 * Y1_2;
                 const double C2 = v11 + Z1_3 * Y1_2;
                 const double w2 = sqrt(S2 * S2 + C2 * C2);
-                const int free2 = w2 <= free_limit_squared2;
-                const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-                const double c2 = free2 ? cos(seed[1]) : C2 * factor2,
-                    s2 = free2 ? sin(seed[1]) : S2 * factor2;
+                const double factor2 = 1.0 / w2;
+                const double c2 = C2 * factor2, s2 = S2 * factor2;
                 const double q2 = atan2(s2, c2);
 
                 /* joint values */
@@ -253,7 +246,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = free6 ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -465,13 +458,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 5, 1, 0 };
-DHGEN_TABLE int together[2] = { 0, 5 };
+DHGEN_TABLE int choosable[1] = { 5 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.4271, 0.4271, 0.4271, 1.0, 1.0, 1.0 }, 0.4270584215920738, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 1, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur20_fk,
     ur20_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

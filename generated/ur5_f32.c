@@ -2016,13 +2016,12 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
     const float X1 = T13 * d6 - T14;
     const float wy = T24 - d6 * T23;
     const float N1 = X1 * X1 + wy * wy;
-    const int free1 = N1 <= free_limit_squared2;
     const float D1 = N1 - k1;
     const int apart1 = k3 < D1;
     if (!(-k2 <= D1)) return; /* out of reach */
     const float w1 = sqrtf(apart1 ? D1 : 0.0f);
     const float v1 = (apart1 ? w1 : least_root1) * k4;
-    const float inverse1 = 1.0f / (free1 ? 1.0f : (apart1 ? N1 : d4 * sqrtf(N1)));
+    const float inverse1 = 1.0f / (apart1 ? N1 : d4 * sqrtf(N1));
     const float v2 = X1 * d4, v3 = wy * d4;
 
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
@@ -2031,10 +2030,9 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
         /* theta1 */
-        if (e1 < 0.0f && (free1 || !apart1)) continue; /* both signs give the same */
+        if (e1 < 0.0f && !apart1) continue; /* both signs give the same */
         const float root1 = w1 * e1;
-        const float c1 = free1 ? cosf(seed[0]) : -(inverse1 * (v3 + X1 * root1)),
-            s1 = free1 ? sinf(seed[0]) : inverse1 * (wy * root1 - v2);
+        const float c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
         const float q1 = atan2f(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -2049,7 +2047,7 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
         const float c5 = T13 * s1 - T23 * c1;
 
         /* theta3 */
-        const float v8 = T14 * c1 + T24 * s1, v9 = (free1 || near6) ? 1.0f : v1;
+        const float v8 = T14 * c1 + T24 * s1, v9 = near6 ? 1.0f : v1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const float e6 = i2 == 0 ? 1.0f : -1.0f;
@@ -2084,8 +2082,6 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
                 if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2f(v5, -v4);
-                if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
                 if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
                     i2]);
                 continue; /* out of reach */
@@ -2122,7 +2118,7 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free2 || free6) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -2269,13 +2265,12 @@ DHGEN_FN int DHGEN_SOLVE_REGULAR(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 5, 1, 0 };
-DHGEN_TABLE int together[2] = { 0, 5 };
+DHGEN_TABLE int choosable[2] = { 5, 1 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.8386f, 0.8386f, 0.8386f, 1.0f, 1.0f, 1.0f }, 0.8385681f, { 1e-06f, 1e-06f }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, together, 2, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 1, /* merges */ 1, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, ur5_f32_fk,
     ur5_f32_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

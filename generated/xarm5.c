@@ -40,7 +40,6 @@ static const double
     shortest3_reach = 0.003803606473622223, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.4104280847263506, /* the longest, where branches merge [m^2] */
     shortest3_apart = 0.0038036064736368855, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.1677971055248617e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = 1.7566747807196037, /* offset of joint 2 [rad] */
     pose_slack = 1e-05, /* a pose may be rounded by this */
     pose_slack1 = 1.080646614543747e-05, /* a pose may be rounded by this [m] */
@@ -149,9 +148,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta3, type 8: U1[2, 4] and U1[1, 4] */
     const double v8 = T34 - d1;
 
-    /* theta2, type 3: U1[2, 4] and U1[1, 4] */
-    const double v12 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -191,12 +187,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double w3 = sqrt(apart3 ? D3 : 0.0);
         const double c3 = K3 * k2;
 
-        /* theta2 */
+        /* theta2, type 3: U1[2, 4] and U1[1, 4] */
         const double X1_2 = a2 + a3 * c3;
         const double v10 = Z1_3 * X1_2, v11 = Z2_3 * X1_2;
 
         /* is the pose one that the arm can take? */
-        const double v14 = d1 + -v7;
+        const double v13 = d1 + -v7;
         if (!(fabs(T33 - c234) <= pose_slack && fabs(T31 - v3 * v5) <= pose_slack && fabs(T23 - s1 *
             v3) <= pose_slack && fabs(T21 + (v5 * (s1 * c234) + c1 * v6)) <= pose_slack && fabs(T11
             - (s1 * v6 - v5 * (c1 * c234))) <= pose_slack && fabs(T13 - c1 * v3) <= pose_slack))
@@ -217,16 +213,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double S2 = v10 - Z2_3 * Y1_2;
             const double C2 = v11 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v12) : C2 * factor2, s2 = free2 ? sin(v12) : S2 * factor2;
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = S2 * factor2;
             const double theta2 = atan2(s2, c2);
 
             /* is the pose one that the arm can take? */
             const double c23 = c3 * c2 - s3 * s2, s23 = c3 * s2 + s3 * c2,
-                v13 = a3 * c23 + (v9 + a2 * c2);
-            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 && fabs(T14 - c1 * v13) <=
-                pose_slack1 && fabs(T24 - s1 * v13) <= pose_slack1))
+                v12 = a3 * c23 + (v9 + a2 * c2);
+            if (!(fabs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 && fabs(T14 - c1 * v12) <=
+                pose_slack1 && fabs(T24 - s1 * v12) <= pose_slack1))
                 continue; /* the arm can't take this pose */
 
             /* joint values */
@@ -235,7 +230,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double q4 = dhgen_wrap(theta234 - (theta3 + theta2) - offset4);
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
-            status[row] = (free1 || free2) ? DHGEN_FREE_JOINT : DHGEN_OK;
+            status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
         }
     }
 }
@@ -464,12 +459,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[2] = { 1, 0 };
+DHGEN_TABLE int choosable[1] = { 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     5, 4, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0 }, 0.9253718898866895, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 1, /* retries */ 0, /* checks */ 0, /* keeps limits */
-    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
+    choosable, 1, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 0, /* clamps */ 0, /* far */
     0, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, xarm5_fk,
     xarm5_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

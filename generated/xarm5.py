@@ -63,7 +63,6 @@ longest3_reach = 0.41042808472650283  # the longest, with what rounding adds [m^
 shortest3_reach = 0.003803606473622223  # the shortest, with what rounding adds [m^2]
 longest3_apart = 0.4104280847263506  # the longest, where branches merge [m^2]
 shortest3_apart = 0.0038036064736368855  # the shortest, where branches merge [m^2]
-free_limit_squared2 = 1.1677971055248617e-24  # square of a length that fixes no angle [m^2]
 offset2 = 1.7566747807196037  # offset of joint 2 [rad]
 pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 1.080646614543747e-05  # a pose may be rounded by this [m]
@@ -89,7 +88,7 @@ turn, half_turn = 2.0 * math.pi, math.pi  # [rad]
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=4, directions="rotation",
     miss_weights=(0.9254, 0.9254, 0.9254, 1.0, 1.0, 1.0), size=1.080646614543747,
-    steps=("retries", "follows seed"), choosable=(1, 0),
+    steps=("retries", "follows seed"), choosable=(0,),
 ))
 
 # The table at q = 0, standard: theta [rad], d [m], a [m], alpha [rad].
@@ -189,9 +188,6 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta3, type 8: U1[2, 4] and U1[1, 4]
     v8 = T34 - d1
 
-    # theta2, type 3: U1[2, 4] and U1[1, 4]
-    v12 = seed[1] + offset2
-
     for i1 in range(2):  # back, front
         e1 = 1.0 - 2.0 * i1
         # theta1
@@ -235,12 +231,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         w3 = math.sqrt(D3 if apart3 else 0.0)
         c3 = K3 * k2
 
-        # theta2
+        # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2 = a2 + a3 * c3
         v10, v11 = Z1_3 * X1_2, Z2_3 * X1_2
 
         # is the pose one that the arm can take?
-        v14 = d1 + -v7
+        v13 = d1 + -v7
         if (
             not (abs(T33 - c234) <= pose_slack and abs(T31 - v3 * v5) <= pose_slack and abs(T23 - s1
             * v3) <= pose_slack and abs(T21 + (v5 * (s1 * c234) + c1 * v6)) <= pose_slack and
@@ -265,18 +261,16 @@ def _solve(pose, q_free, seed, moved, q, status):
             S2 = v10 - Z2_3 * Y1_2
             C2 = v11 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
-            free2 = w2 <= free_limit_squared2
-            factor2 = 1.0 / (1.0 if free2 else w2)
-            c2 = math.cos(v12) if free2 else C2 * factor2
-            s2 = math.sin(v12) if free2 else S2 * factor2
+            factor2 = 1.0 / w2
+            c2, s2 = C2 * factor2, S2 * factor2
             theta2 = _atan2(s2, c2)
 
             # is the pose one that the arm can take?
             c23, s23 = c3 * c2 - s3 * s2, c3 * s2 + s3 * c2
-            v13 = a3 * c23 + (v9 + a2 * c2)
+            v12 = a3 * c23 + (v9 + a2 * c2)
             if (
-                not (abs(T34 - (a3 * s23 + (a2 * s2 + v14))) <= pose_slack1 and abs(T14 - c1 * v13)
-                <= pose_slack1 and abs(T24 - s1 * v13) <= pose_slack1)
+                not (abs(T34 - (a3 * s23 + (a2 * s2 + v13))) <= pose_slack1 and abs(T14 - c1 * v12)
+                <= pose_slack1 and abs(T24 - s1 * v12) <= pose_slack1)
             ):
                 continue  # the arm can't take this pose
 
@@ -287,7 +281,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, q2, q3
             q[row, 3], q[row, 4] = q4, q5
-            status[row] = FREE_JOINT if free1 or free2 else OK
+            status[row] = FREE_JOINT if free1 else OK
 
 
 @_HOW.merged

@@ -39,7 +39,6 @@ static const double
     shortest3_reach = 1.0147788132640469e-05, /* the shortest, with what rounding adds [m^2] */
     longest3_apart = 0.7864398522118422, /* the longest, where branches merge [m^2] */
     shortest3_apart = 1.01477881336041e-05, /* the shortest, where branches merge [m^2] */
-    free_limit_squared2 = 1.890625e-24, /* square of a length that fixes no angle [m^2] */
     offset2 = -1.5707963267948966, /* offset of joint 2 [rad] */
     free_limit = 1e-12, /* a length that fixes no angle */
     offset5 = 3.141592653589793, /* offset of joint 5 [rad] */
@@ -153,9 +152,6 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_3 = wz - d1;
     const double v2 = Z1_3 * Z1_3;
 
-    /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
-    const double v6 = seed[1] + offset2;
-
     for (int i1 = 0; i1 < 2; i1++) { /* back, front */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
@@ -176,13 +172,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
-        const double v7 = T13 * c1 + T23 * s1;
+        const double v6 = T13 * c1 + T23 * s1;
         const double Y4 = T23 * c1 - T13 * s1;
-        const double v8 = Y4 * Y4;
+        const double v7 = Y4 * Y4;
 
         /* theta6, type 3: U4[3, 2] and U4[3, 1] */
-        const double v9 = T12 * s1 - T22 * c1, v10 = T12 * c1 + T22 * s1, v12 = T11 * s1 - T21 * c1,
-            v13 = T11 * c1 + T21 * s1;
+        const double v8 = T12 * s1 - T22 * c1, v9 = T12 * c1 + T22 * s1, v11 = T11 * s1 - T21 * c1,
+            v12 = T11 * c1 + T21 * s1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -192,30 +188,28 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
             const double q3 = atan2(s3, c3);
 
-            /* theta2 */
+            /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
             const double X1_2 = a3 * s3 - d4 * c3;
             const double Y1_2 = a2 + (a3 * c3 + d4 * s3);
             const double v5 = v1 * X1_2 + Z1_3 * Y1_2;
             const double C2 = Z1_3 * X1_2 - v1 * Y1_2;
             const double w2 = sqrt(v5 * v5 + C2 * C2);
-            const int free2 = w2 <= free_limit_squared2;
-            const double factor2 = 1.0 / (free2 ? 1.0 : w2);
-            const double c2 = free2 ? cos(v6) : C2 * factor2,
-                s2 = free2 ? sin(v6) : -(v5 * factor2);
+            const double factor2 = 1.0 / w2;
+            const double c2 = C2 * factor2, s2 = -(v5 * factor2);
 
             /* theta4 */
             const double c2m3 = c3 * c2 + s3 * s2;
             const double s2m3 = c3 * s2 - s3 * c2;
-            const double X4 = T33 * s2m3 - c2m3 * v7;
-            const double w4 = sqrt(X4 * X4 + v8);
+            const double X4 = T33 * s2m3 - c2m3 * v6;
+            const double w4 = sqrt(X4 * X4 + v7);
             const int free4 = w4 <= free_limit;
             const double divisor4 = free4 ? 1.0 : w4;
 
             /* theta5, type 3: U4[2, 3] and U4[1, 3] */
-            const double c5 = T33 * c2m3 + s2m3 * v7;
+            const double c5 = T33 * c2m3 + s2m3 * v6;
 
             /* theta6 */
-            const double v11 = c2m3 * v10 - T32 * s2m3, v14 = c2m3 * v13 - T31 * s2m3;
+            const double v10 = c2m3 * v9 - T32 * s2m3, v13 = c2m3 * v12 - T31 * s2m3;
 
             /* joint values */
             const double q2 = dhgen_wrap(atan2(s2, c2) - offset2);
@@ -230,15 +224,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
                 const double q4 = atan2(s4, c4);
 
                 /* theta6 */
-                const double s6 = c4 * v12 + s4 * v14;
+                const double s6 = c4 * v11 + s4 * v13;
 
                 /* joint values */
                 const double q5 = dhgen_wrap(atan2(-(w4 * e4), c5) - offset5);
-                const double q6 = dhgen_wrap(atan2(s6, -(c4 * v9 + s4 * v11)) - offset6);
+                const double q6 = dhgen_wrap(atan2(s6, -(c4 * v8 + s4 * v10)) - offset6);
                 const int row = 4 * i1 + 2 * i2 + i3;
                 q[row][0] = q1; q[row][1] = q2; q[row][2] = q3; q[row][3] = q4; q[row][4] = q5;
                 q[row][5] = q6;
-                status[row] = (free1 || free2 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
+                status[row] = (free1 || free4) ? DHGEN_FREE_JOINT : DHGEN_OK;
             }
         }
     }
@@ -521,12 +515,12 @@ DHGEN_INLINE int solve_regular(
 #endif
 
 DHGEN_TABLE int entries[9] = { 0, 2, 3, 4, 6, 7, 8, 10, 11 };
-DHGEN_TABLE int choosable[3] = { 3, 1, 0 };
+DHGEN_TABLE int choosable[2] = { 3, 0 };
 DHGEN_TABLE struct dhgen_arm arm = {
     6, 8, 0, DHGEN_POSE, joints, NULL, 0,
     { 0.7273, 0.7273, 0.7273, 1.0, 1.0, 1.0 }, 0.7272727272727273, { 1e-14, 1e-14 }, entries, 9,
     0, /* slides */ 0, /* retries */ 0, /* checks */ 1, /* keeps limits */
-    choosable, 3, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
+    choosable, 2, NULL, 0, 52, 0, /* merges */ 0, /* refines */ 1, /* clamps */ 1, /* far */
     1, /* range exceeds a turn */ 1, /* follows seed */ NULL, NULL, NULL, NULL, yaskawa_gp7_fk,
     yaskawa_gp7_jacobian, solve,
     DHGEN_SOLVE_REGULAR,

@@ -33,7 +33,7 @@ _NO_ARM = re.compile(r"/parallel\.|^#define DHGEN_INTERFACE", re.MULTILINE)
 _TYPES = {"four", "wide"}  # what macros take for dhgen_four and dhgen_wide
 _COMMENT = re.compile(r"/\*.*?\*/", re.DOTALL)
 _CONSTANTS = re.compile(r"^static const double\s(.*?);", re.DOTALL | re.MULTILINE)
-_ARRAY = re.compile(r'\b_(?:places|numbers)\("(\w+)"|DHGEN_TABLE [\w ]*?(\w+)(?:\[[^\]]*\])* =')
+_ARRAY = re.compile(r'\b_(?:[Pp]laces|numbers)\("(\w+)"|DHGEN_TABLE [\w ]*?(\w+)(?:\[[^\]]*\])* =')
 _LOOKED_FOR = re.compile(r'\b(?:has|get)attr\((?:module|robot|self\._robot), "([A-Za-z]\w*)"')
 
 

@@ -44,12 +44,20 @@ def test_a_stretched_or_folded_arm_is_doubtful_and_a_bent_one_is_not(
 
 
 def test_a_distance_that_the_links_do_not_allow_is_no_doubt() -> None:
-    """UR5's links 2 and 3 differ by 33 mm: no joint 2 is free for being on its axis."""
-    whole, solver = story("ur5").program, regular(story("ur5").program)
+    """Links 2 and 3 of a PUMA 560 differ by 0.5 mm: joint 2 is free at no regular pose."""
+    whole, solver = story("puma560").program, regular(story("puma560").program)
     assert solver is not None
     lengths = Tolerance("free_square", 2), Tolerance("doubt_square", 2)
     assert lengths[0] in {c.role for c in whole.constants}
     assert lengths[1] not in {c.role for c in solver.program.constants}
+
+
+def test_a_distance_far_from_what_the_links_allow_is_never_tested() -> None:
+    """UR5's links 2 and 3 differ by 33 mm: no joint 2 is free for being on its axis."""
+    whole, solver = story("ur5").program, regular(story("ur5").program)
+    assert solver is not None
+    roles = {c.role for program in (whole, solver.program) for c in program.constants}
+    assert not {Tolerance("free_square", 2), Tolerance("doubt_square", 2)} & roles
 
 
 def test_what_has_to_be_of_length_1_is_neither_short_nor_divided_by_its_length() -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.conditions import are_never_zero, vanishing
@@ -25,7 +24,7 @@ from dhgen.derivation.text.formula import (
     times,
 )
 from dhgen.kinematics.ring import constant_value
-from dhgen.paul.types.angle_pair import stretch
+from dhgen.paul.types.angle_pair import link_lengths, stretch
 
 if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
@@ -174,19 +173,8 @@ def _only_if(context: StepContext) -> Prose:
 
 def _links(context: StepContext) -> tuple[float, float] | None:
     """How long two links are, where these equations gave the angle between them."""
-    own = {form.equation for form in context.step.forms}
-    algebra = context.story.algebra
-    for step in context.story.steps[: context.number - 1]:
-        if not step.kind.is_two_links or {form.equation for form in step.forms} != own:
-            continue
-        vectors = [[step.coefficient(name + part) for part in "12"] for name in "VW"]
-        if not all(algebra.is_constant(part) for parts in vectors for part in parts):
-            return None
-        first, second = (
-            math.hypot(*(constant_value(algebra, part) for part in parts)) for parts in vectors
-        )
-        return first, second
-    return None
+    story = context.story
+    return link_lengths(story.algebra, story.steps[: context.number - 1], context.step)
 
 
 def _are_equal(first: float, second: float) -> bool:

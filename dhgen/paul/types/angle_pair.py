@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.kinematics.ring import constant_value
 from dhgen.paul.kind import Kind
 from dhgen.paul.step import NEARLY_NOTHING, NOTHING, Step, placing
 from dhgen.paul.witness import OWN_LENGTHS
@@ -14,7 +16,7 @@ from dhgen.paul.witness import OWN_LENGTHS
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dhgen.kinematics.algebra import AngleSum
+    from dhgen.kinematics.algebra import Algebra, AngleSum
     from dhgen.kinematics.constants import Polynomial
     from dhgen.paul.form import Form
     from dhgen.paul.step import Offer, Products, View
@@ -74,6 +76,27 @@ def stretch(x1: Polynomial, y1: Polynomial, x2: Polynomial, y2: Polynomial) -> P
         return None
     factor, rest = divmod(mine, theirs)
     return None if rest or (x2, y2) != (-factor * y1, factor * x1) else factor
+
+
+def link_lengths(
+    algebra: Algebra, earlier: Sequence[Step], step: Step
+) -> tuple[float, float] | None:
+    """How long two links are, where the equations of a step gave the angle between them before.
+
+    X1^2 + Y1^2 is the squared distance that they span then, as Z1^2 + Z2^2 is.
+    """
+    own = {form.equation for form in step.forms}
+    for each in earlier:
+        if not each.kind.is_two_links or {form.equation for form in each.forms} != own:
+            continue
+        vectors = [[each.coefficient(name + part) for part in "12"] for name in "VW"]
+        if not all(algebra.is_constant(part) for parts in vectors for part in parts):
+            return None
+        first, second = (
+            math.hypot(*(constant_value(algebra, part) for part in parts)) for parts in vectors
+        )
+        return first, second
+    return None
 
 
 @dataclass(frozen=True, slots=True)

@@ -100,6 +100,7 @@ class Graph:
         constants: By name.
         folded: Constants made from constants, by their leaf; they have no name yet.
         axes: The branch signs so far.
+        impossible: Truth values that never hold: programs have no test of them.
         reserved: Names that are kept for others.
     """
 
@@ -108,6 +109,7 @@ class Graph:
         self.constants: dict[str, NamedConstant] = {}
         self.folded: dict[Expression, NamedConstant] = {}
         self.axes: list[Axis] = []
+        self.impossible: set[Node] = set()
         self.reserved = reserved
         self._own = set(reserved.own)
         self._used: set[str] = set()

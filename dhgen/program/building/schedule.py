@@ -147,6 +147,7 @@ class _Schedule:
         self._numbered: set[Node] = set()
         self.constants = list(graph.constants.values())
         self._signs = [Variable(axis.name) for axis in graph.axes]
+        self._leave_out_impossible()
         self._mirror_differences()
         self._live = self._needed()
         self._name_folded(names.folded)
@@ -204,6 +205,26 @@ class _Schedule:
                 live.add(node)
                 pending += self._entries[node].operands
         return live
+
+    def _leave_out_impossible(self) -> None:
+        """What hangs on a truth value that never holds is what it is without."""
+        same: dict[Node, Node] = {}
+        for node, entry in enumerate(self._entries if self._graph.impossible else ()):
+            operands = tuple(same.get(operand, operand) for operand in entry.operands)
+            self._entries[node] = replace(entry, operands=operands)
+            kept = [each for each in operands if each not in self._graph.impossible]
+            if len(kept) == len(operands) or entry.operator not in {"or", "select"}:
+                continue
+            rest = kept[-1]
+            if node in self._names and rest not in self._names and self._entries[rest].operator:
+                self._entries[node] = self._entries[rest]  # a reader knows its name
+            else:
+                same[node] = rest
+        self._outputs = [same.get(node, node) for node in self._outputs]
+        self._marks = [
+            replace(mark, condition=same.get(mark.condition, mark.condition))
+            for mark in self._marks
+        ]
 
     def _mirror_differences(self) -> None:
         """Of a - b and b - a, where both are needed, the later one is minus the first."""

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from dhgen.paul.derivation import Derivation
     from dhgen.paul.pool import Pool
     from dhgen.paul.problem import Problem
+    from dhgen.paul.step import Step
     from dhgen.program.building.graph import Node
     from dhgen.program.lowering.checks import Checks
     from dhgen.tolerances import Tolerances
@@ -143,6 +144,11 @@ class Lowering:
             step.roots > 1 and not (step.kind is Kind.ANGLE and not step.coefficient("Z"))
             for step in self._derivation.steps[self.step_number :]
         )
+
+    @property
+    def earlier_steps(self) -> tuple[Step, ...]:
+        """The steps before the one at hand."""
+        return tuple(self._derivation.steps[: self.step_number - 1])
 
     @property
     def overdetermined(self) -> bool:

@@ -20,7 +20,8 @@ def finish(
     builder = context.builder
     if free is not None:
         seed = context.angles.seed(angle)
-        context.angles.chosen(angle, free)
+        if free not in builder.impossible:
+            context.angles.chosen(angle, free)
         cosine = builder.select(free, builder.apply("cos", seed), cosine)
         sine = builder.select(free, builder.apply("sin", seed), sine)
     context.angles.solved(angle, cosine, sine)
@@ -33,7 +34,7 @@ def finish_direction(
 
     The shorter the vector, the fewer digits of its direction are right, and an arm that is
     stretched is then out of reach by the wrong ones. A seed that is the angle up to rounding of
-    the vector is as good as the angle itself, so it is taken; `choose_again` looks for one.
+    the vector is as good as the angle itself, so it is taken; the runtime's retries look for one.
     """
     builder, scales = context.builder, context.scales
     cosine, sine = direction

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.kinematics.ring import constant_value
-from dhgen.paul.types.angle_pair import stretch
+from dhgen.paul.types.angle_pair import link_lengths, stretch
 from dhgen.program.lowering.coefficients import (
     is_nearly_short,
     is_short,
@@ -47,6 +48,8 @@ def lower_angle(context: Lowering, step: Step) -> None:
     square = builder.name(builder.add(builder.square(x), builder.square(y)), f"N{angle.suffix}")
     fixed = context.are_constant(*factors)
     free = None if fixed else is_short_square(context, square, degree, angle)
+    if free is not None and _ends_before_it_is_short(context, step, degree):
+        builder.impossible.add(free)
     distance = squared_distance(context, step.coefficient("Z")) if fixed else None
     if distance is None:
         z, reach = _by_value(context, step, square, degree)
@@ -76,6 +79,19 @@ def lower_angle(context: Lowering, step: Step) -> None:
     else:
         finish(context, angle, *direction, free)
     remember(context, step, angle, z, root)
+
+
+def _ends_before_it_is_short(context: Lowering, step: Step, degree: int) -> bool:
+    """Whether D = X^2 + Y^2 - Z^2 ends the branch wherever X and Y are so small.
+
+    The guard lets D be below zero by 2 |Z| times rounding, over the root of rounding at most.
+    """
+    z = step.coefficient("Z")
+    if not context.are_constant(z):
+        return False
+    tolerances = context.scales.tolerances
+    least = 4.0 * max(math.sqrt(tolerances.reach), tolerances.near) * context.chain.size**degree
+    return abs(constant_value(context.algebra, z)) > least
 
 
 def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple[Node, Reach]:
@@ -206,10 +222,26 @@ def lower_angle_pair(context: Lowering, step: Step) -> None:
         return
     # the product of two vectors of equal length, which vanish together
     free = is_short_square(context, length, degree // 2, angle)
+    if _are_links_apart(context, step):
+        builder.impossible.add(free)
     if context.mends_roots:
         context.short.append(is_nearly_short(context, length, degree // 2, angle))
     factor = over(context, facing, length, free, angle.suffix)
     finish(context, angle, builder.mul(cosine, factor), builder.mul(sine, factor), free)
+
+
+def _are_links_apart(context: Lowering, step: Step) -> bool:
+    """Whether two links span no distance that is nearly zero: where they differ in length.
+
+    The step that gave the angle between them has ended branches whose distance is shorter than
+    they allow. Its guard lets (H - |v|^2) (|v|^2 - L) be below zero by what rounding adds to the
+    longest distance, over the root of rounding at most.
+    """
+    lengths = link_lengths(context.algebra, context.earlier_steps, step)
+    if lengths is None:
+        return False
+    slack = 4.0 * math.sqrt(context.scales.tolerances.reach) * context.chain.size
+    return (lengths[0] - lengths[1]) ** 2 > slack * sum(lengths)
 
 
 def _sign_of(context: Lowering, determinant: Node, step: Step) -> Node:
