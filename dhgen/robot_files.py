@@ -146,7 +146,9 @@ def read_file(path: Path, wishes: Wishes = AS_USUAL, outside: Outside = NOTHING_
 
 
 def _digest(text: str) -> str:
-    return sha256(b"\n".join(text.encode().splitlines())).hexdigest()[:16]
+    """The first digits of what `sha256sum` says of the file, whatever its lines end with."""
+    lines = text.encode().splitlines()
+    return sha256(b"".join(line + b"\n" for line in lines)).hexdigest()[:16]
 
 
 @dataclass(frozen=True, slots=True)

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb120.yaml. The formulas and where they come from:
  * abb_irb120.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 85fde42cd6577e01
+ * dhgen 0.1.0; SHA-256 of the robot file: 1d5a53e83bedae87
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb120.h"

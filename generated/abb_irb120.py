@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 85fde42cd6577e01
+# dhgen 0.1.0; SHA-256 of the robot file: 1d5a53e83bedae87
 """abb_irb120: ABB IRB 120.
 
 Inverse kinematics, generated from robots/abb_irb120.yaml and templates/python/solver.py.jinja.

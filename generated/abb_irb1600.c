@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb1600.yaml. The formulas and where they come from:
  * abb_irb1600.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5939c1c54a168f17
+ * dhgen 0.1.0; SHA-256 of the robot file: 6c48156184b3fa9e
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb1600.h"

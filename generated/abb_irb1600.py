@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5939c1c54a168f17
+# dhgen 0.1.0; SHA-256 of the robot file: 6c48156184b3fa9e
 """abb_irb1600: ABB IRB 1600.
 
 Inverse kinematics, generated from robots/abb_irb1600.yaml and templates/python/solver.py.jinja.

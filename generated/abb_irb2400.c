@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb2400.yaml. The formulas and where they come from:
  * abb_irb2400.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 828b87b30656120d
+ * dhgen 0.1.0; SHA-256 of the robot file: 4a329b77b48eb7b0
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb2400.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 828b87b30656120d
+# dhgen 0.1.0; SHA-256 of the robot file: 4a329b77b48eb7b0
 """abb_irb2400: ABB IRB 2400.
 
 Inverse kinematics, generated from robots/abb_irb2400.yaml and templates/python/solver.py.jinja.

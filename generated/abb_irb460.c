@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from:
  * abb_irb460.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 36838a5ade4d8ab2
+ * dhgen 0.1.0; SHA-256 of the robot file: 8054b894185cab1a
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb460.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 36838a5ade4d8ab2
+# dhgen 0.1.0; SHA-256 of the robot file: 8054b894185cab1a
 """abb_irb460: ABB IRB 460 palletizer, by its four drives.
 
 Inverse kinematics, generated from robots/abb_irb460.yaml and templates/python/solver.py.jinja.

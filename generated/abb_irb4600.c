@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb4600.yaml. The formulas and where they come from:
  * abb_irb4600.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: decf36783c15e908
+ * dhgen 0.1.0; SHA-256 of the robot file: 061b107b5feed2ce
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb4600.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: decf36783c15e908
+# dhgen 0.1.0; SHA-256 of the robot file: 061b107b5feed2ce
 """abb_irb4600: ABB IRB 4600-40/2.55.
 
 Inverse kinematics, generated from robots/abb_irb4600.yaml and templates/python/solver.py.jinja.

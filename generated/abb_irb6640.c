@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb6640.yaml. The formulas and where they come from:
  * abb_irb6640.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 70e6c7132ea850b1
+ * dhgen 0.1.0; SHA-256 of the robot file: 8c8d9cf686b09680
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb6640.h"

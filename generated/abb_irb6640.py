@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 70e6c7132ea850b1
+# dhgen 0.1.0; SHA-256 of the robot file: 8c8d9cf686b09680
 """abb_irb6640: ABB IRB 6640-185/2.8.
 
 Inverse kinematics, generated from robots/abb_irb6640.yaml and templates/python/solver.py.jinja.

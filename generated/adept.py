@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: ca0a4c1c5c2c110c
+# dhgen 0.1.0; SHA-256 of the robot file: ab976a3980df600e
 """adept: Adept SCARA.
 
 Inverse kinematics, generated from robots/adept.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/adept_cobra600.yaml. The formulas and where they come from:
  * adept_cobra600.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 3d5a3c6a664d1811
+ * dhgen 0.1.0; SHA-256 of the robot file: b31fa5ddf560b3f9
  * SPDX-License-Identifier: MIT
  */
 #include "adept_cobra600.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 3d5a3c6a664d1811
+# dhgen 0.1.0; SHA-256 of the robot file: b31fa5ddf560b3f9
 """adept_cobra600: Adept Cobra 600.
 
 Inverse kinematics, generated from robots/adept_cobra600.yaml and templates/python/solver.py.jinja.

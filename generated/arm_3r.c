@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/arm_3r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/arm_3r.yaml. The formulas and where they come from: arm_3r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: f8c89be0f0484080
+ * dhgen 0.1.0; SHA-256 of the robot file: 68b97f2e9783ad26
  * SPDX-License-Identifier: MIT
  */
 #include "arm_3r.h"

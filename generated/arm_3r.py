@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: f8c89be0f0484080
+# dhgen 0.1.0; SHA-256 of the robot file: 68b97f2e9783ad26
 """arm_3r: Arm with three revolute joints, to its wrist centre.
 
 Inverse kinematics, generated from robots/arm_3r.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/arm_6r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/arm_6r.yaml. The formulas and where they come from: arm_6r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8dc878e8544aee7e
+ * dhgen 0.1.0; SHA-256 of the robot file: 5414216a0af071f2
  * SPDX-License-Identifier: MIT
  */
 #include "arm_6r.h"

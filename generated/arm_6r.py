@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8dc878e8544aee7e
+# dhgen 0.1.0; SHA-256 of the robot file: 5414216a0af071f2
 """arm_6r: Arm with six revolute joints and a spherical wrist.
 
 Inverse kinematics, generated from robots/arm_6r.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/comau_ns16.yaml. The formulas and where they come from:
  * comau_ns16.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 16b9bc8cc37458c1
+ * dhgen 0.1.0; SHA-256 of the robot file: 662c5aef5c1d86d9
  * SPDX-License-Identifier: MIT
  */
 #include "comau_ns16.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 16b9bc8cc37458c1
+# dhgen 0.1.0; SHA-256 of the robot file: 662c5aef5c1d86d9
 """comau_ns16: Comau NS 16 Hand.
 
 Inverse kinematics, generated from robots/comau_ns16.yaml and templates/python/solver.py.jinja.

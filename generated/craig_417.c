@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/craig_417.yaml. The formulas and where they come from:
  * craig_417.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 904750dbe405fe78
+ * dhgen 0.1.0; SHA-256 of the robot file: 0a8b7c253a33639f
  * SPDX-License-Identifier: MIT
  */
 #include "craig_417.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 904750dbe405fe78
+# dhgen 0.1.0; SHA-256 of the robot file: 0a8b7c253a33639f
 """craig_417: Arm of exercise 4.17 in Craig, Introduction to Robotics.
 
 Inverse kinematics, generated from robots/craig_417.yaml and templates/python/solver.py.jinja.

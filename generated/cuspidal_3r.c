@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
  * cuspidal_3r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7c0913eb7097a9fe
+ * dhgen 0.1.0; SHA-256 of the robot file: ce9aebe8c3730ef3
  * SPDX-License-Identifier: MIT
  */
 #include "cuspidal_3r.h"

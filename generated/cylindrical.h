@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 421a0cc0cb19ce6a
+ * dhgen 0.1.0; SHA-256 of the robot file: 97ba4b4fa6b0ae87
  * SPDX-License-Identifier: MIT
  */
 #ifndef CYLINDRICAL_H

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cylindrical_wrist.yaml. The formulas and where they come from:
  * cylindrical_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 462b0bc8ab96b145
+ * dhgen 0.1.0; SHA-256 of the robot file: af40b92118c6448a
  * SPDX-License-Identifier: MIT
  */
 #include "cylindrical_wrist.h"

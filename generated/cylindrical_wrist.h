@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 462b0bc8ab96b145
+ * dhgen 0.1.0; SHA-256 of the robot file: af40b92118c6448a
  * SPDX-License-Identifier: MIT
  */
 #ifndef CYLINDRICAL_WRIST_H

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/delta.yaml and templates/c/parallel.c.jinja.
  * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5c7395f6581d009b
+ * dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
  * SPDX-License-Identifier: MIT
  */
 #include "delta.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5c7395f6581d009b
+# dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
 """delta_leg: Delta, three cranks with parallelograms: a leg.
 
 Inverse kinematics, generated from robots/delta.yaml and templates/python/solver.py.jinja.

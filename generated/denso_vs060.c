@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/denso_vs060.yaml. The formulas and where they come from:
  * denso_vs060.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1ea0179b9f358661
+ * dhgen 0.1.0; SHA-256 of the robot file: dde60b298a8ee644
  * SPDX-License-Identifier: MIT
  */
 #include "denso_vs060.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 1ea0179b9f358661
+# dhgen 0.1.0; SHA-256 of the robot file: dde60b298a8ee644
 """denso_vs060: Denso VS-060.
 
 Inverse kinematics, generated from robots/denso_vs060.yaml and templates/python/solver.py.jinja.

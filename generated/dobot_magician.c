@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/dobot_magician.yaml. The formulas and where they come from:
  * dobot_magician.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: bac4c12294f4ae34
+ * dhgen 0.1.0; SHA-256 of the robot file: 45a194be1a673098
  * SPDX-License-Identifier: MIT
  */
 #include "dobot_magician.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: bac4c12294f4ae34
+# dhgen 0.1.0; SHA-256 of the robot file: 45a194be1a673098
 """dobot_magician: Dobot Magician, its hand's joint.
 
 Inverse kinematics, generated from robots/dobot_magician.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/doosan_m1013.yaml. The formulas and where they come from:
  * doosan_m1013.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 0171955b75f933c3
+ * dhgen 0.1.0; SHA-256 of the robot file: 5a29c1d4b7863845
  * SPDX-License-Identifier: MIT
  */
 #include "doosan_m1013.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 0171955b75f933c3
+# dhgen 0.1.0; SHA-256 of the robot file: 5a29c1d4b7863845
 """doosan_m1013: Doosan M1013.
 
 Inverse kinematics, generated from robots/doosan_m1013.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/epson_t3.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/epson_t3.yaml. The formulas and where they come from: epson_t3.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 320ad1470ef59ca1
+ * dhgen 0.1.0; SHA-256 of the robot file: 564f247b71bc89ac
  * SPDX-License-Identifier: MIT
  */
 #include "epson_t3.h"

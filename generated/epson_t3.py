@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 320ad1470ef59ca1
+# dhgen 0.1.0; SHA-256 of the robot file: 564f247b71bc89ac
 """epson_t3: Epson T3.
 
 Inverse kinematics, generated from robots/epson_t3.yaml and templates/python/solver.py.jinja.

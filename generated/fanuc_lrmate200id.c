@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/fanuc_lrmate200id.yaml. The formulas and where they come from:
  * fanuc_lrmate200id.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: e5f68dbe830adba3
+ * dhgen 0.1.0; SHA-256 of the robot file: 5b4a3e3a077181c8
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_lrmate200id.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e5f68dbe830adba3
+# dhgen 0.1.0; SHA-256 of the robot file: 5b4a3e3a077181c8
 """fanuc_lrmate200id: Fanuc LR Mate 200iD.
 
 Inverse kinematics, generated from robots/fanuc_lrmate200id.yaml and

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/fanuc_lrmate200id_j23.yaml. The formulas and where they come from:
  * fanuc_lrmate200id_j23.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 706f7c04f7c2fe21
+ * dhgen 0.1.0; SHA-256 of the robot file: 1565c3ae04adb845
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_lrmate200id_j23.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 706f7c04f7c2fe21
+# dhgen 0.1.0; SHA-256 of the robot file: 1565c3ae04adb845
 """fanuc_lrmate200id_j23: Fanuc LR Mate 200iD, as its pendant counts.
 
 Inverse kinematics, generated from robots/fanuc_lrmate200id_j23.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/fanuc_m710ic50.yaml. The formulas and where they come from:
  * fanuc_m710ic50.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 4a36dd7b7f42b3ce
+ * dhgen 0.1.0; SHA-256 of the robot file: 78a8baf20f7b61fb
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_m710ic50.h"

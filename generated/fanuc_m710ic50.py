@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 4a36dd7b7f42b3ce
+# dhgen 0.1.0; SHA-256 of the robot file: 78a8baf20f7b61fb
 """fanuc_m710ic50: Fanuc M-710iC/50.
 
 Inverse kinematics, generated from robots/fanuc_m710ic50.yaml and templates/python/solver.py.jinja.

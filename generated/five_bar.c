@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/five_bar.yaml and templates/c/parallel.c.jinja.
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from: five_bar.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 40b6e59fdafffcd2
+ * dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
  * SPDX-License-Identifier: MIT
  */
 #include "five_bar.h"

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from:
  * five_bar_leg.md, of a leg of five_bar.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 40b6e59fdafffcd2
+ * dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
  * SPDX-License-Identifier: MIT
  */
 #include "five_bar_leg.h"

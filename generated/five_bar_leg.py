@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 40b6e59fdafffcd2
+# dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
 """five_bar_leg: Planar five-bar linkage (RR legs): a leg.
 
 Inverse kinematics, generated from robots/five_bar.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/franka_panda.yaml. The formulas and where they come from:
  * franka_panda.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 6b8da37f3a67d614
+ * dhgen 0.1.0; SHA-256 of the robot file: 3bdf97d21dac1f9a
  * SPDX-License-Identifier: MIT
  */
 #include "franka_panda.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 6b8da37f3a67d614
+# dhgen 0.1.0; SHA-256 of the robot file: 3bdf97d21dac1f9a
 """franka_panda: Franka Emika Panda.
 
 Inverse kinematics, generated from robots/franka_panda.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/igus_rebel.yaml. The formulas and where they come from:
  * igus_rebel.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: b5a0b77f37d3c847
+ * dhgen 0.1.0; SHA-256 of the robot file: fbfb60e591c62a5d
  * SPDX-License-Identifier: MIT
  */
 #include "igus_rebel.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: b5a0b77f37d3c847
+# dhgen 0.1.0; SHA-256 of the robot file: fbfb60e591c62a5d
 """igus_rebel: igus ReBeL.
 
 Inverse kinematics, generated from robots/igus_rebel.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/katana_400.yaml. The formulas and where they come from:
  * katana_400.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 043557a5bd836365
+ * dhgen 0.1.0; SHA-256 of the robot file: 1b08c7fc3b36b795
  * SPDX-License-Identifier: MIT
  */
 #include "katana_400.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 043557a5bd836365
+# dhgen 0.1.0; SHA-256 of the robot file: 1b08c7fc3b36b795
 """katana_400: Neuronics Katana 400.
 
 Inverse kinematics, generated from robots/katana_400.yaml and templates/python/solver.py.jinja.

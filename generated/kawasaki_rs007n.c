@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kawasaki_rs007n.yaml. The formulas and where they come from:
  * kawasaki_rs007n.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c7e35bee2ac03416
+ * dhgen 0.1.0; SHA-256 of the robot file: 507a4b68dffe081d
  * SPDX-License-Identifier: MIT
  */
 #include "kawasaki_rs007n.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c7e35bee2ac03416
+# dhgen 0.1.0; SHA-256 of the robot file: 507a4b68dffe081d
 """kawasaki_rs007n: Kawasaki RS007N.
 
 Inverse kinematics, generated from robots/kawasaki_rs007n.yaml and templates/python/solver.py.jinja.

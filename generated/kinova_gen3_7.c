@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_gen3_7.yaml. The formulas and where they come from:
  * kinova_gen3_7.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 75d679c0087310f8
+ * dhgen 0.1.0; SHA-256 of the robot file: 24c1f9395bc7745f
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_gen3_7.h"

@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 75d679c0087310f8
+ * dhgen 0.1.0; SHA-256 of the robot file: 24c1f9395bc7745f
  * SPDX-License-Identifier: MIT
  */
 #ifndef KINOVA_GEN3_7_H

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 75d679c0087310f8
+# dhgen 0.1.0; SHA-256 of the robot file: 24c1f9395bc7745f
 """kinova_gen3_7: Kinova Gen3 with 7 joints.
 
 Inverse kinematics, generated from robots/kinova_gen3_7.yaml and templates/python/solver.py.jinja.

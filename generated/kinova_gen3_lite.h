@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1cbd93e236224c46
+ * dhgen 0.1.0; SHA-256 of the robot file: 5e08043e2ed4a01c
  * SPDX-License-Identifier: MIT
  */
 #ifndef KINOVA_GEN3_LITE_H

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_j2s6s300.yaml. The formulas and where they come from:
  * kinova_j2s6s300.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8e66d8c709424a0f
+ * dhgen 0.1.0; SHA-256 of the robot file: 221669a4b13488f8
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_j2s6s300.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8e66d8c709424a0f
+# dhgen 0.1.0; SHA-256 of the robot file: 221669a4b13488f8
 """kinova_j2s6s300: Kinova Jaco j2s6s300, spherical wrist.
 
 Inverse kinematics, generated from robots/kinova_j2s6s300.yaml and templates/python/solver.py.jinja.

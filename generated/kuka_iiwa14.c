@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_iiwa14.yaml. The formulas and where they come from:
  * kuka_iiwa14.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 9bb523c5c382e118
+ * dhgen 0.1.0; SHA-256 of the robot file: 7f9271a70e3d8ac9
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_iiwa14.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 9bb523c5c382e118
+# dhgen 0.1.0; SHA-256 of the robot file: 7f9271a70e3d8ac9
 """kuka_iiwa14: KUKA LBR iiwa 14 R820.
 
 Inverse kinematics, generated from robots/kuka_iiwa14.yaml and templates/python/solver.py.jinja.

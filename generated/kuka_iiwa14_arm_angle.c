@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/kuka_iiwa14_arm_angle.yaml. The formulas and where they come from:
  * kuka_iiwa14_arm_angle.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: cd3289ea3711612a
+ * dhgen 0.1.0; SHA-256 of the robot file: d4722574f6bbef95
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_iiwa14_arm_angle.h"

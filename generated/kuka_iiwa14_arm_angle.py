@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: cd3289ea3711612a
+# dhgen 0.1.0; SHA-256 of the robot file: d4722574f6bbef95
 """kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given.
 
 Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr210.yaml. The formulas and where they come from:
  * kuka_kr210.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 9a7aba308d9e3194
+ * dhgen 0.1.0; SHA-256 of the robot file: 3e814aec3a2fdecb
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr210.h"

@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 9a7aba308d9e3194
+ * dhgen 0.1.0; SHA-256 of the robot file: 3e814aec3a2fdecb
  * SPDX-License-Identifier: MIT
  */
 #ifndef KUKA_KR210_H

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 9a7aba308d9e3194
+# dhgen 0.1.0; SHA-256 of the robot file: 3e814aec3a2fdecb
 """kuka_kr210: KUKA KR 210.
 
 Inverse kinematics, generated from robots/kuka_kr210.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr40pa.yaml. The formulas and where they come from:
  * kuka_kr40pa.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 49424f393542c08b
+ * dhgen 0.1.0; SHA-256 of the robot file: fcfe06ceda5e7cac
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr40pa.h"

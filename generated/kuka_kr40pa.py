@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 49424f393542c08b
+# dhgen 0.1.0; SHA-256 of the robot file: fcfe06ceda5e7cac
 """kuka_kr40pa: KUKA KR 40 PA palletizer, serial equivalent.
 
 Inverse kinematics, generated from robots/kuka_kr40pa.yaml and templates/python/solver.py.jinja.

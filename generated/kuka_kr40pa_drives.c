@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr40pa_drives.yaml. The formulas and where they come from:
  * kuka_kr40pa_drives.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: ad06ae74c8453ae8
+ * dhgen 0.1.0; SHA-256 of the robot file: a161591f8bab6b71
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr40pa_drives.h"

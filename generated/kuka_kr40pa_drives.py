@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: ad06ae74c8453ae8
+# dhgen 0.1.0; SHA-256 of the robot file: a161591f8bab6b71
 """kuka_kr40pa_drives: KUKA KR 40 PA palletizer, its hand's joint, by its drives.
 
 Inverse kinematics, generated from robots/kuka_kr40pa_drives.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr40pa_level.yaml. The formulas and where they come from:
  * kuka_kr40pa_level.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: e6b64dc6e30913b8
+ * dhgen 0.1.0; SHA-256 of the robot file: 952c9a85242bdf5e
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr40pa_level.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e6b64dc6e30913b8
+# dhgen 0.1.0; SHA-256 of the robot file: 952c9a85242bdf5e
 """kuka_kr40pa_level: KUKA KR 40 PA palletizer, whose rods keep the tool level.
 
 Inverse kinematics, generated from robots/kuka_kr40pa_level.yaml and

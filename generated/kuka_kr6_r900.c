@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr6_r900.yaml. The formulas and where they come from:
  * kuka_kr6_r900.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: da5f306e79cfde61
+ * dhgen 0.1.0; SHA-256 of the robot file: 209914098f4ebe11
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr6_r900.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: da5f306e79cfde61
+# dhgen 0.1.0; SHA-256 of the robot file: 209914098f4ebe11
 """kuka_kr6_r900: KUKA KR 6 R900.
 
 Inverse kinematics, generated from robots/kuka_kr6_r900.yaml and templates/python/solver.py.jinja.

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/kuka_kr6_r900_calibrated.yaml. The formulas and where they come
  * from: kuka_kr6_r900_calibrated.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: e4c5b1b5bab468f2
+ * dhgen 0.1.0; SHA-256 of the robot file: 193c5bacd2d40f86
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr6_r900_calibrated.h"

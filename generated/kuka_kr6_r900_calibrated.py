@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e4c5b1b5bab468f2
+# dhgen 0.1.0; SHA-256 of the robot file: 193c5bacd2d40f86
 """kuka_kr6_r900_calibrated: KUKA KR 6 R900 with calibration noise of 1e-4.
 
 Inverse kinematics, generated from robots/kuka_kr6_r900_calibrated.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_youbot.yaml. The formulas and where they come from:
  * kuka_youbot.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 2b21cb46d59f75ca
+ * dhgen 0.1.0; SHA-256 of the robot file: fc15dcffa9b84be9
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_youbot.h"

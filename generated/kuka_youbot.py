@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 2b21cb46d59f75ca
+# dhgen 0.1.0; SHA-256 of the robot file: fc15dcffa9b84be9
 """kuka_youbot: KUKA youBot arm.
 
 Inverse kinematics, generated from robots/kuka_youbot.yaml and templates/python/solver.py.jinja.

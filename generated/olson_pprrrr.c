@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/olson_pprrrr.yaml. The formulas and where they come from:
  * olson_pprrrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d9f597bde268c000
+ * dhgen 0.1.0; SHA-256 of the robot file: db2ececc07f31b80
  * SPDX-License-Identifier: MIT
  */
 #include "olson_pprrrr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d9f597bde268c000
+# dhgen 0.1.0; SHA-256 of the robot file: db2ececc07f31b80
 """olson_pprrrr: Olson PPRRRR arm.
 
 Inverse kinematics, generated from robots/olson_pprrrr.yaml and templates/python/solver.py.jinja.

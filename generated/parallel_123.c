@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
  * parallel_123.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 425b4ad5df594b11
+ * dhgen 0.1.0; SHA-256 of the robot file: 7a430d01fc79c886
  * SPDX-License-Identifier: MIT
  */
 #include "parallel_123.h"

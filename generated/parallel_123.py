@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 425b4ad5df594b11
+# dhgen 0.1.0; SHA-256 of the robot file: 7a430d01fc79c886
 """parallel_123: Arm whose axes 1, 2 and 3 are parallel.
 
 Inverse kinematics, generated from robots/parallel_123.yaml and templates/python/solver.py.jinja.

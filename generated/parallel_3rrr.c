@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/parallel_3rrr.yaml. The formulas and where they come from:
  * parallel_3rrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c812fc155a290060
+ * dhgen 0.1.0; SHA-256 of the robot file: 5e91c3514772707d
  * SPDX-License-Identifier: MIT
  */
 #include "parallel_3rrr.h"

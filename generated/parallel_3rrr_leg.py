@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c812fc155a290060
+# dhgen 0.1.0; SHA-256 of the robot file: 5e91c3514772707d
 """parallel_3rrr_leg: Planar platform on three cranks (3-RRR): a leg.
 
 Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/python/solver.py.jinja.

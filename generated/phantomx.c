@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/phantomx.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/phantomx.yaml. The formulas and where they come from: phantomx.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 2710ab618e596903
+ * dhgen 0.1.0; SHA-256 of the robot file: d79ae5d065226016
  * SPDX-License-Identifier: MIT
  */
 #include "phantomx.h"

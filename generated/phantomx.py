@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 2710ab618e596903
+# dhgen 0.1.0; SHA-256 of the robot file: d79ae5d065226016
 """phantomx: Interbotix PhantomX Pincher.
 
 Inverse kinematics, generated from robots/phantomx.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_pr.yaml. The formulas and where they come from:
  * planar_pr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 88195549e72e2778
+ * dhgen 0.1.0; SHA-256 of the robot file: a30db3c244a1600f
  * SPDX-License-Identifier: MIT
  */
 #include "planar_pr.h"

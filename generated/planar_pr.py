@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 88195549e72e2778
+# dhgen 0.1.0; SHA-256 of the robot file: a30db3c244a1600f
 """planar_pr: Inclined slider with a revolute link.
 
 Inverse kinematics, generated from robots/planar_pr.yaml and templates/python/solver.py.jinja.

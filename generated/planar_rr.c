@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_rr.yaml. The formulas and where they come from:
  * planar_rr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: b78680906163d564
+ * dhgen 0.1.0; SHA-256 of the robot file: 504a2a1f3e0bc84b
  * SPDX-License-Identifier: MIT
  */
 #include "planar_rr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: b78680906163d564
+# dhgen 0.1.0; SHA-256 of the robot file: 504a2a1f3e0bc84b
 """planar_rr: Planar arm with two revolute joints.
 
 Inverse kinematics, generated from robots/planar_rr.yaml and templates/python/solver.py.jinja.

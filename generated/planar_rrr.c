@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_rrr.yaml. The formulas and where they come from:
  * planar_rrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: fb1b41daeb364a5a
+ * dhgen 0.1.0; SHA-256 of the robot file: 4264ea173b1cd0aa
  * SPDX-License-Identifier: MIT
  */
 #include "planar_rrr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fb1b41daeb364a5a
+# dhgen 0.1.0; SHA-256 of the robot file: 4264ea173b1cd0aa
 """planar_rrr: Planar arm with three revolute joints.
 
 Inverse kinematics, generated from robots/planar_rrr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/prismatic_2_wrist.yaml. The formulas and where they come from:
  * prismatic_2_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 71a038197a5e5547
+ * dhgen 0.1.0; SHA-256 of the robot file: 25f4fcfbeffc6717
  * SPDX-License-Identifier: MIT
  */
 #include "prismatic_2_wrist.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 71a038197a5e5547
+# dhgen 0.1.0; SHA-256 of the robot file: 25f4fcfbeffc6717
 """prismatic_2_wrist: Slide as joint 2, spherical wrist.
 
 Inverse kinematics, generated from robots/prismatic_2_wrist.yaml and

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma.yaml. The formulas and where they come from: puma.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 0077e6a837acd676
+ * dhgen 0.1.0; SHA-256 of the robot file: cd4e6518e19091b2
  * SPDX-License-Identifier: MIT
  */
 #include "puma.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 0077e6a837acd676
+# dhgen 0.1.0; SHA-256 of the robot file: cd4e6518e19091b2
 """puma: PUMA in its reference position.
 
 Inverse kinematics, generated from robots/puma.yaml and templates/python/solver.py.jinja.

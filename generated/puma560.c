@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c837751b3dc7a697
+ * dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
  * SPDX-License-Identifier: MIT
  */
 #include "puma560.h"

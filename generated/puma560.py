@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c837751b3dc7a697
+# dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
 """puma560: Unimation PUMA 560.
 
 Inverse kinematics, generated from robots/puma560.yaml and templates/python/solver.py.jinja.

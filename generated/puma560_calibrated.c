@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/puma560_calibrated.yaml. The formulas and where they come from:
  * puma560_calibrated.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d20772f900d97103
+ * dhgen 0.1.0; SHA-256 of the robot file: 4de49b258340e29c
  * SPDX-License-Identifier: MIT
  */
 #include "puma560_calibrated.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d20772f900d97103
+# dhgen 0.1.0; SHA-256 of the robot file: 4de49b258340e29c
 """puma560_calibrated: PUMA 560 with calibration noise of 1e-3.
 
 Inverse kinematics, generated from robots/puma560_calibrated.yaml and

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma_arm.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma_arm.yaml. The formulas and where they come from: puma_arm.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: e27a969022478b40
+ * dhgen 0.1.0; SHA-256 of the robot file: d47b230c056f04e4
  * SPDX-License-Identifier: MIT
  */
 #include "puma_arm.h"

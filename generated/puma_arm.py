@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e27a969022478b40
+# dhgen 0.1.0; SHA-256 of the robot file: d47b230c056f04e4
 """puma_arm: PUMA 560 to its wrist centre.
 
 Inverse kinematics, generated from robots/puma_arm.yaml and templates/python/solver.py.jinja.

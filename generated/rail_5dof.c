@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/rail_5dof.yaml. The formulas and where they come from:
  * rail_5dof.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a3925c9421aec430
+ * dhgen 0.1.0; SHA-256 of the robot file: 4631ca9d913f2f17
  * SPDX-License-Identifier: MIT
  */
 #include "rail_5dof.h"

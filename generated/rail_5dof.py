@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a3925c9421aec430
+# dhgen 0.1.0; SHA-256 of the robot file: 4631ca9d913f2f17
 """rail_5dof: Arm with four revolute joints on a rail.
 
 Inverse kinematics, generated from robots/rail_5dof.yaml and templates/python/solver.py.jinja.

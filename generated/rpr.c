@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rpr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rpr.yaml. The formulas and where they come from: rpr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5a5e20b1c85dad89
+ * dhgen 0.1.0; SHA-256 of the robot file: 2982606682a8b5ef
  * SPDX-License-Identifier: MIT
  */
 #include "rpr.h"

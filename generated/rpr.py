@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5a5e20b1c85dad89
+# dhgen 0.1.0; SHA-256 of the robot file: 2982606682a8b5ef
 """rpr: Arm with a revolute, a prismatic and a revolute joint.
 
 Inverse kinematics, generated from robots/rpr.yaml and templates/python/solver.py.jinja.

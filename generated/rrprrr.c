@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rrprrr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rrprrr.yaml. The formulas and where they come from: rrprrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 00488518bc0d31cc
+ * dhgen 0.1.0; SHA-256 of the robot file: ec7723db4c98fce0
  * SPDX-License-Identifier: MIT
  */
 #include "rrprrr.h"

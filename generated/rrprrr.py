@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 00488518bc0d31cc
+# dhgen 0.1.0; SHA-256 of the robot file: ec7723db4c98fce0
 """rrprrr: RRPRRR arm.
 
 Inverse kinematics, generated from robots/rrprrr.yaml and templates/python/solver.py.jinja.

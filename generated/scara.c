@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/scara.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/scara.yaml. The formulas and where they come from: scara.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 61abd77213b8cd13
+ * dhgen 0.1.0; SHA-256 of the robot file: e1d13fa0a171f34b
  * SPDX-License-Identifier: MIT
  */
 #include "scara.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 61abd77213b8cd13
+# dhgen 0.1.0; SHA-256 of the robot file: e1d13fa0a171f34b
 """scara: SCARA.
 
 Inverse kinematics, generated from robots/scara.yaml and templates/python/solver.py.jinja.

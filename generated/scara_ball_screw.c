@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_ball_screw.yaml. The formulas and where they come from:
  * scara_ball_screw.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 79a55019063a520d
+ * dhgen 0.1.0; SHA-256 of the robot file: 219eb12029b9e883
  * SPDX-License-Identifier: MIT
  */
 #include "scara_ball_screw.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 79a55019063a520d
+# dhgen 0.1.0; SHA-256 of the robot file: 219eb12029b9e883
 """scara_ball_screw: SCARA with a ball screw spline.
 
 Inverse kinematics, generated from robots/scara_ball_screw.yaml and

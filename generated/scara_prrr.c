@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_prrr.yaml. The formulas and where they come from:
  * scara_prrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 0063b36d23214fc6
+ * dhgen 0.1.0; SHA-256 of the robot file: b16765c183860141
  * SPDX-License-Identifier: MIT
  */
 #include "scara_prrr.h"

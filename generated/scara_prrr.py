@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 0063b36d23214fc6
+# dhgen 0.1.0; SHA-256 of the robot file: b16765c183860141
 """scara_prrr: SCARA arm on a vertical slide.
 
 Inverse kinematics, generated from robots/scara_prrr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_rrp.yaml. The formulas and where they come from:
  * scara_rrp.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 423d622356a1ce9c
+ * dhgen 0.1.0; SHA-256 of the robot file: 5dd43650dd89f79b
  * SPDX-License-Identifier: MIT
  */
 #include "scara_rrp.h"

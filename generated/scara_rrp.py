@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 423d622356a1ce9c
+# dhgen 0.1.0; SHA-256 of the robot file: 5dd43650dd89f79b
 """scara_rrp: SCARA arm without a wrist.
 
 Inverse kinematics, generated from robots/scara_rrp.yaml and templates/python/solver.py.jinja.

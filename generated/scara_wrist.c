@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_wrist.yaml. The formulas and where they come from:
  * scara_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 3fe72bae8fcdc950
+ * dhgen 0.1.0; SHA-256 of the robot file: e8aefe29e53d431c
  * SPDX-License-Identifier: MIT
  */
 #include "scara_wrist.h"

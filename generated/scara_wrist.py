@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 3fe72bae8fcdc950
+# dhgen 0.1.0; SHA-256 of the robot file: e8aefe29e53d431c
 """scara_wrist: SCARA arm with a spherical wrist.
 
 Inverse kinematics, generated from robots/scara_wrist.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scorbot_pointing.yaml. The formulas and where they come from:
  * scorbot_pointing.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 44b3e537ea0ca9d1
+ * dhgen 0.1.0; SHA-256 of the robot file: a9f7f908835d5b23
  * SPDX-License-Identifier: MIT
  */
 #include "scorbot_pointing.h"

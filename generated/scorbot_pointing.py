@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 44b3e537ea0ca9d1
+# dhgen 0.1.0; SHA-256 of the robot file: a9f7f908835d5b23
 """scorbot_pointing: Scorbot (tool axis only).
 
 Inverse kinematics, generated from robots/scorbot_pointing.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/spherical.yaml. The formulas and where they come from:
  * spherical.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c48089b4c85b4824
+ * dhgen 0.1.0; SHA-256 of the robot file: c459b1a01dddb7d5
  * SPDX-License-Identifier: MIT
  */
 #include "spherical.h"

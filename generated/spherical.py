@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c48089b4c85b4824
+# dhgen 0.1.0; SHA-256 of the robot file: c459b1a01dddb7d5
 """spherical: Spherical arm.
 
 Inverse kinematics, generated from robots/spherical.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/spherical_offset.yaml. The formulas and where they come from:
  * spherical_offset.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 2bb5b2ff6c00e6ec
+ * dhgen 0.1.0; SHA-256 of the robot file: 31de25d5e88e2e17
  * SPDX-License-Identifier: MIT
  */
 #include "spherical_offset.h"

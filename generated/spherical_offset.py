@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 2bb5b2ff6c00e6ec
+# dhgen 0.1.0; SHA-256 of the robot file: 31de25d5e88e2e17
 """spherical_offset: Spherical arm with a shoulder offset.
 
 Inverse kinematics, generated from robots/spherical_offset.yaml and

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/spherical_wrist_all_offsets.yaml. The formulas and where they come
  * from: spherical_wrist_all_offsets.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 87e8fc7cb6a9c633
+ * dhgen 0.1.0; SHA-256 of the robot file: 8351e27252c6f861
  * SPDX-License-Identifier: MIT
  */
 #include "spherical_wrist_all_offsets.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 87e8fc7cb6a9c633
+# dhgen 0.1.0; SHA-256 of the robot file: 8351e27252c6f861
 """spherical_wrist_all_offsets: Spherical wrist on an arm with every offset.
 
 Inverse kinematics, generated from robots/spherical_wrist_all_offsets.yaml and

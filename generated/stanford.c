@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/stanford.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/stanford.yaml. The formulas and where they come from: stanford.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 28314cad069c394b
+ * dhgen 0.1.0; SHA-256 of the robot file: c5078a2be1cf5382
  * SPDX-License-Identifier: MIT
  */
 #include "stanford.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 28314cad069c394b
+# dhgen 0.1.0; SHA-256 of the robot file: c5078a2be1cf5382
 """stanford: Stanford arm.
 
 Inverse kinematics, generated from robots/stanford.yaml and templates/python/solver.py.jinja.

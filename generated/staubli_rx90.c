@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/staubli_rx90.yaml. The formulas and where they come from:
  * staubli_rx90.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8e09f58a3e9b1422
+ * dhgen 0.1.0; SHA-256 of the robot file: c0b36274375d6e2a
  * SPDX-License-Identifier: MIT
  */
 #include "staubli_rx90.h"

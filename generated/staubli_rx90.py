@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8e09f58a3e9b1422
+# dhgen 0.1.0; SHA-256 of the robot file: c0b36274375d6e2a
 """staubli_rx90: Stäubli RX90.
 
 Inverse kinematics, generated from robots/staubli_rx90.yaml and templates/python/solver.py.jinja.

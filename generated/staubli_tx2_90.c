@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/staubli_tx2_90.yaml. The formulas and where they come from:
  * staubli_tx2_90.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: bfd422cc930f2d50
+ * dhgen 0.1.0; SHA-256 of the robot file: 7e1be802377f3755
  * SPDX-License-Identifier: MIT
  */
 #include "staubli_tx2_90.h"

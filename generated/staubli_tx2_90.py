@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: bfd422cc930f2d50
+# dhgen 0.1.0; SHA-256 of the robot file: 7e1be802377f3755
 """staubli_tx2_90: Stäubli TX2-90.
 
 Inverse kinematics, generated from robots/staubli_tx2_90.yaml and templates/python/solver.py.jinja.

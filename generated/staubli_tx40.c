@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/staubli_tx40.yaml. The formulas and where they come from:
  * staubli_tx40.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 841b9dd04bbde6c6
+ * dhgen 0.1.0; SHA-256 of the robot file: fc3cf3d03413d95a
  * SPDX-License-Identifier: MIT
  */
 #include "staubli_tx40.h"

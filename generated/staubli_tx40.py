@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 841b9dd04bbde6c6
+# dhgen 0.1.0; SHA-256 of the robot file: fc3cf3d03413d95a
 """staubli_tx40: Stäubli TX40.
 
 Inverse kinematics, generated from robots/staubli_tx40.yaml and templates/python/solver.py.jinja.

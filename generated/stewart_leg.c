@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from:
  * stewart_leg.md, of a leg of stewart.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c0c1552918eb38b7
+ * dhgen 0.1.0; SHA-256 of the robot file: 7e0d95027cd10e15
  * SPDX-License-Identifier: MIT
  */
 #include "stewart_leg.h"

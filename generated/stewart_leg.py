@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c0c1552918eb38b7
+# dhgen 0.1.0; SHA-256 of the robot file: 7e0d95027cd10e15
 """stewart_leg: Stewart platform, six cylinders (6-UPS): a leg.
 
 Inverse kinematics, generated from robots/stewart.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
  * techman_tm5_900.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: de090da5846bf584
+ * dhgen 0.1.0; SHA-256 of the robot file: 36f531dfb6823f05
  * SPDX-License-Identifier: MIT
  */
 #include "techman_tm5_900.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: de090da5846bf584
+# dhgen 0.1.0; SHA-256 of the robot file: 36f531dfb6823f05
 """techman_tm5_900: Techman TM5-900.
 
 Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/python/solver.py.jinja.

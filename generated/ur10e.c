@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur10e.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur10e.yaml. The formulas and where they come from: ur10e.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a946ad64444dbc14
+ * dhgen 0.1.0; SHA-256 of the robot file: bd801c0b5384bfeb
  * SPDX-License-Identifier: MIT
  */
 #include "ur10e.h"

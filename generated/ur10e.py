@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a946ad64444dbc14
+# dhgen 0.1.0; SHA-256 of the robot file: bd801c0b5384bfeb
 """ur10e: Universal Robots UR10e.
 
 Inverse kinematics, generated from robots/ur10e.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur20.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur20.yaml. The formulas and where they come from: ur20.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a63543e7e12311ee
+ * dhgen 0.1.0; SHA-256 of the robot file: c0f9059f8443ee32
  * SPDX-License-Identifier: MIT
  */
 #include "ur20.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a63543e7e12311ee
+# dhgen 0.1.0; SHA-256 of the robot file: c0f9059f8443ee32
 """ur20: Universal Robots UR20.
 
 Inverse kinematics, generated from robots/ur20.yaml and templates/python/solver.py.jinja.

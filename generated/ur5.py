@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fccb0e323b7becc7
+# dhgen 0.1.0; SHA-256 of the robot file: 5f2fe27a326bcf25
 """ur5: Universal Robots UR5.
 
 Inverse kinematics, generated from robots/ur5.yaml and templates/python/solver.py.jinja.

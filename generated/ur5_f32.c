@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur5.yaml. The formulas and where they come from: ur5.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: fccb0e323b7becc7
+ * dhgen 0.1.0; SHA-256 of the robot file: 5f2fe27a326bcf25
  * SPDX-License-Identifier: MIT
  */
 #include "ur5_f32.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 988807eb9222c0a0
+# dhgen 0.1.0; SHA-256 of the robot file: 188073c3e2550859
 """ur5e: Universal Robots UR5e.
 
 Inverse kinematics, generated from robots/ur5e.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/calibrated.c.jinja.
  * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 988807eb9222c0a0
+ * dhgen 0.1.0; SHA-256 of the robot file: 188073c3e2550859
  * SPDX-License-Identifier: MIT
  */
 #include "ur5e_fleet.h"

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/welding_5r.yaml. The formulas and where they come from:
  * welding_5r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: dff39f8558c8a949
+ * dhgen 0.1.0; SHA-256 of the robot file: bd0d255b66167e58
  * SPDX-License-Identifier: MIT
  */
 #include "welding_5r.h"

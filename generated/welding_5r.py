@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: dff39f8558c8a949
+# dhgen 0.1.0; SHA-256 of the robot file: bd0d255b66167e58
 """welding_5r: Welding arm with five joints, its torch tilted aside.
 
 Inverse kinematics, generated from robots/welding_5r.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/wrist_oblique.yaml. The formulas and where they come from:
  * wrist_oblique.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: f5f19c3bbd81dcd8
+ * dhgen 0.1.0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
  * SPDX-License-Identifier: MIT
  */
 #include "wrist_oblique.h"

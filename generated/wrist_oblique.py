@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: f5f19c3bbd81dcd8
+# dhgen 0.1.0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
 """wrist_oblique: Oblique spherical wrist.
 
 Inverse kinematics, generated from robots/wrist_oblique.yaml and templates/python/solver.py.jinja.

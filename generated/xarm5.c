@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/xarm5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm5.yaml. The formulas and where they come from: xarm5.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5d5e03133f742303
+ * dhgen 0.1.0; SHA-256 of the robot file: b7257d98eb95d607
  * SPDX-License-Identifier: MIT
  */
 #include "xarm5.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5d5e03133f742303
+# dhgen 0.1.0; SHA-256 of the robot file: b7257d98eb95d607
 """xarm5: UFACTORY xArm 5.
 
 Inverse kinematics, generated from robots/xarm5.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/yaskawa_gp7.yaml. The formulas and where they come from:
  * yaskawa_gp7.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 441447592c116f2b
+ * dhgen 0.1.0; SHA-256 of the robot file: d73e2222e9874a77
  * SPDX-License-Identifier: MIT
  */
 #include "yaskawa_gp7.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 441447592c116f2b
+# dhgen 0.1.0; SHA-256 of the robot file: d73e2222e9874a77
 """yaskawa_gp7: Yaskawa GP7.
 
 Inverse kinematics, generated from robots/yaskawa_gp7.yaml and templates/python/solver.py.jinja.
