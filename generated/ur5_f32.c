@@ -1512,13 +1512,13 @@ DHGEN_API void dhgen_joint_velocities(
 
 /* Lanes: what the fast path computes with. `dhgen_wide` holds one number of each of DHGEN_LANES
  * poses, `dhgen_four` one of each of four branches of one pose. They are GNU vectors where compiler
- * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
+ * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a number, and there is
  * no `dhgen_four`. With -DDHGEN_LIBM the arctangents are those of <math.h>, too. */
 
 /* atan r = r + r^3 (a[0] + a[1] r^2 ...), |r| <= tan(pi/8) */
 
 
-DHGEN_TABLE float dhgen_arctangent[11] = {
+DHGEN_UNUSED DHGEN_TABLE float dhgen_arctangent[11] = {
     -0.33333334f,
     0.2f,
     -0.14285715f,

@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.oracle.poses import random_joints, right_angles
+from dhgen.targets.c.files import c_files
 from dhgen.verify.native import Build
 from tests.compiling import shared
 from tests.headers import VECTORS, read_before
@@ -104,6 +106,18 @@ def test_no_warnings_without_the_fast_path(name: str) -> None:
     switch = f"-D{name.upper()}_PLAIN"
     flags = ("-std=c99", switch, "-fsyntax-only", *WARNINGS, *MORE, f"{name}.c")
     assert compiled(COMPILERS[-1], *flags) == ""
+
+
+@pytest.mark.skipif("clang" not in COMPILERS, reason="no clang")
+def test_no_warnings_of_all_in_one_file_without_series() -> None:
+    """What a file has in itself, and not from a header, clang wants to be used."""
+    module = made("scara").module
+    alone = folder() / "one_file"
+    write_files(alone, c_files(module, single_file=True))
+    files = {"SCARA": alone / "scara.c", "SCARA_F32": GENERATED / "scara_f32.c"}
+    for name, path in files.items():
+        flags = ("-std=c99", f"-D{name}_LIBM", *WARNINGS, *MORE, f"-I{path.parent}")
+        assert compiled("clang", *flags, "-fsyntax-only", str(path)) == ""
 
 
 @pytest.mark.slow

@@ -6,7 +6,7 @@
 
 #include "interface.h"
 
-DHGEN_TABLE double dhgen_arctangent[11] = {
+DHGEN_UNUSED DHGEN_TABLE double dhgen_arctangent[11] = {
     -0.3333333333333333,
     0.19999999999995513,
     -0.14285714284665177,

@@ -2,7 +2,7 @@
  *
  * Lanes: what the fast path computes with. `dhgen_wide` holds one number of each of DHGEN_LANES
  * poses, `dhgen_four` one of each of four branches of one pose. They are GNU vectors where compiler
- * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a double, and there is
+ * and machine have them; with -DDHGEN_SCALAR and elsewhere `dhgen_wide` is a number, and there is
  * no `dhgen_four`. With -DDHGEN_LIBM the arctangents are those of <math.h>, too. */
 #ifndef DHGEN_LANES_H
 #define DHGEN_LANES_H
