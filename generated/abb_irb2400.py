@@ -74,11 +74,11 @@ k2 = 0.19035  # 2 * a3 * a2 [m^2]
 k3 = 1.085275  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 0.8550663955849673  # 1 / (k1^2 + k2^2) [m^-4]
 turn1 = 1.3938582706371934  # atan2(k1, k2) [rad]
-low2 = -1.7453292529943296
-high2 = 1.9198621781937626
-low3 = -1.0471975521965977
-high3 = 1.1344640147963143
-high5 = 2.0943951033931953
+low2 = -1.7453292529943296  # lowest value of joint 2, with what rounding adds [rad]
+high2 = 1.9198621781937626  # highest value of joint 2, with what rounding adds [rad]
+low3 = -1.0471975521965977  # lowest value of joint 3, with what rounding adds [rad]
+high3 = 1.1344640147963143  # highest value of joint 3, with what rounding adds [rad]
+high5 = 2.0943951033931953  # highest value of joint 5, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.7360249999999986e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

@@ -83,7 +83,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #ifndef CARTESIAN_PLAIN
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
-static const double per_size = 0.8333333333333334;
+static const double
+    per_size = 0.8333333333333334; /* slides beyond limits count in the arm's size [m^-1] */
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -42,13 +42,13 @@ MAX_SOLUTIONS = 1
 # What a row of ik_all holds, see there.
 OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PUBLIC
 
-low1 = -1.2e-09
-high1 = 0.8000000012
-per_size = 0.8333333333333334
-low2 = -1.2e-09
-high2 = 0.6000000012
-low3 = -1.2e-09
-high3 = 1.2000000012
+low1 = -1.2e-09  # lowest value of joint 1, with what rounding adds [m]
+high1 = 0.8000000012  # highest value of joint 1, with what rounding adds [m]
+per_size = 0.8333333333333334  # slides beyond limits count in the arm's size [m^-1]
+low2 = -1.2e-09  # lowest value of joint 2, with what rounding adds [m]
+high2 = 0.6000000012  # highest value of joint 2, with what rounding adds [m]
+low3 = -1.2e-09  # lowest value of joint 3, with what rounding adds [m]
+high3 = 1.2000000012  # highest value of joint 3, with what rounding adds [m]
 
 _ARM = _arms.arm_numbers(_arms.Arm(
     types=JOINT_TYPES, limits=JOINT_LIMITS, rows=1, directions="none",

@@ -74,11 +74,11 @@ k2 = 0.0061  # 2 * a3 * a2 [m^2]
 k3 = 0.18312499999999998  # a2^2 + (a3^2 + d4^2) [m^2]
 k4 = 29.827409659487312  # 1 / (k1^2 + k2^2) [m^-4]
 turn1 = 1.5374753309166493  # atan2(k1, k2) [rad]
-high1 = 2.967060001
-high2 = 2.094395001
-low3 = -2.1816620010000003
-high3 = 2.705260001
-high5 = 2.094395001
+high1 = 2.967060001  # highest value of joint 1, with what rounding adds [rad]
+high2 = 2.094395001  # highest value of joint 2, with what rounding adds [rad]
+low3 = -2.1816620010000003  # lowest value of joint 3, with what rounding adds [rad]
+high3 = 2.705260001  # highest value of joint 3, with what rounding adds [rad]
+high5 = 2.094395001  # highest value of joint 5, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.0609000000000003e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

@@ -63,11 +63,11 @@ offset2 = -1.5707963267948966  # offset of joint 2 [rad]
 offset3 = 1.5707963267948966  # offset of joint 3 [rad]
 k1 = 0.039834  # a2^2 + a3^2 [m^2]
 k2 = 25.195263290501387  # 1 / (2 * a3 * a2) [m^-2]
-high1 = 1.5707963277948966
-low2 = -1e-09
-high2 = 1.4835298651951803
-low3 = -0.17453292619943295
-high3 = 1.6580627903946132
+high1 = 1.5707963277948966  # highest value of joint 1, with what rounding adds [rad]
+low2 = -1e-09  # lowest value of joint 2, with what rounding adds [rad]
+high2 = 1.4835298651951803  # highest value of joint 2, with what rounding adds [rad]
+low3 = -0.17453292619943295  # lowest value of joint 3, with what rounding adds [rad]
+high3 = 1.6580627903946132  # highest value of joint 3, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.77241e-09  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

@@ -157,12 +157,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
 static const double
+    per_size = 2.5, /* slides beyond limits count in the arm's size [m^-1] */
     /* 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4] */
     m1 = 5.0709436649753e-13,
     m2 = 2.2222222222222223, /* a2 * k2 [m^-1] */
     m3 = 0.04444444444444444, /* a1 - a2 * k1 * k2 [m] */
     m4 = 1.0000000000000002e-10; /* pose_slack^2 */
-static const double per_size = 2.5;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -74,9 +74,9 @@ offset6 = 1.5707963267948966  # offset of joint 6 [rad]
 k1 = 0.26625  # 2 * d4 * a2 [m^2]
 k2 = 0.26665  # a2^2 + d4^2 [m^2]
 k3 = 14.106548524322777  # 1 / (k1^2) [m^-4]
-high2 = 2.356194491192345
-high3 = 2.705260341591211
-high5 = 2.181661565992912
+high2 = 2.356194491192345  # highest value of joint 2, with what rounding adds [rad]
+high3 = 2.705260341591211  # highest value of joint 3, with what rounding adds [rad]
+high5 = 2.181661565992912  # highest value of joint 5, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.3642239999999998e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

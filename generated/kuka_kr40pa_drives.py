@@ -65,11 +65,11 @@ free_limit_squared2 = 4.2024999999999996e-24  # square of a length that fixes no
 k1 = 1.2800000000000002  # 2 * a3 * a2 [m^2]
 k2 = 0.7812499999999999  # 1 / k1 [m^-2]
 doubt_limit_squared2 = 4.2024999999999994e-08  # square of a length that fixes no angle [m^2]
-high1 = 2.705260341591211
-low2 = -2.216568151032799
-high2 = 0.3490658513988659
-low3 = -0.3490658513988659
-high3 = 2.2689280285926285
+high1 = 2.705260341591211  # highest value of joint 1, with what rounding adds [rad]
+low2 = -2.216568151032799  # lowest value of joint 2, with what rounding adds [rad]
+high2 = 0.3490658513988659  # highest value of joint 2, with what rounding adds [rad]
+low3 = -0.3490658513988659  # lowest value of joint 3, with what rounding adds [rad]
+high3 = 2.2689280285926285  # highest value of joint 3, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 4.2025e-08  # doubt_limit1^2 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

@@ -40,8 +40,8 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rpr_leg_drives(
     };
     /* In formulas below, doubt_limit1 = 0.00016 [m]. */
     static const double
+        per_size = 0.625, /* slides beyond limits count in the arm's size [m^-1] */
         m1 = 2.5600000000000004e-08; /* doubt_limit1^2 [m^2] */
-    static const double per_size = 0.625;
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1, r2 */

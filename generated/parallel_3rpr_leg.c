@@ -102,8 +102,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.00016 [m]. */
 static const double
+    per_size = 0.625, /* slides beyond limits count in the arm's size [m^-1] */
     m1 = 2.5600000000000004e-08; /* doubt_limit1^2 [m^2] */
-static const double per_size = 0.625;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -46,9 +46,9 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 
 # In formulas below, doubt_limit1 = 0.00016 [m].
 free_limit1 = 1.6e-12  # a length that fixes no angle [m]
-low2 = 0.29999999839999997
-high2 = 1.6000000016
-per_size = 0.625
+low2 = 0.29999999839999997  # lowest value of joint 2, with what rounding adds [m]
+high2 = 1.6000000016  # highest value of joint 2, with what rounding adds [m]
+per_size = 0.625  # slides beyond limits count in the arm's size [m^-1]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 2.5600000000000004e-08  # doubt_limit1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]

@@ -74,10 +74,10 @@ k6 = 0.01753108  # 2 * a3 * a2 [m^2]
 k7 = 0.37331457  # d4 * a2 + (a3^2 + d4 * a2) [m^2]
 k8 = 7.175474885806929  # 1 / (k5^2 + k6^2) [m^-4]
 turn1 = 1.5238184104468135  # atan2(k5, k6) [rad]
-high1 = 2.7925268041909272
-high2 = 1.9198621781937626
-high3 = 2.356194491192345
-high5 = 1.7453292529943296
+high1 = 2.7925268041909272  # highest value of joint 1, with what rounding adds [rad]
+high2 = 1.9198621781937626  # highest value of joint 2, with what rounding adds [rad]
+high3 = 2.356194491192345  # highest value of joint 3, with what rounding adds [rad]
+high5 = 1.7453292529943296  # highest value of joint 5, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.119045780000291e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

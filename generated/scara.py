@@ -61,11 +61,11 @@ pose_slack = 1e-05  # a pose may be rounded by this
 pose_slack1 = 8e-06  # a pose may be rounded by this [m]
 k1 = 0.25  # L1^2 + L2^2 [m^2]
 k2 = 4.166666666666667  # 1 / (2 * L2 * L1) [m^-2]
-high1 = 2.2689280285926285
-high2 = 2.530727416391778
-low3 = -0.20000000080000002
-high3 = 8e-10
-per_size = 1.25
+high1 = 2.2689280285926285  # highest value of joint 1, with what rounding adds [rad]
+high2 = 2.530727416391778  # highest value of joint 2, with what rounding adds [rad]
+low3 = -0.20000000080000002  # lowest value of joint 3, with what rounding adds [m]
+high3 = 8e-10  # highest value of joint 3, with what rounding adds [m]
+per_size = 1.25  # slides beyond limits count in the arm's size [m^-1]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 # 1000 * (longest2 - longest2_apart) * (longest2_apart - shortest2) [m^4]
 m1 = 5.382361223382632e-12

@@ -2039,12 +2039,12 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
 /* Regular poses: what follows is as fast as it can be, and solves nothing that `solve` doesn't. */
 #define DHGEN_SOLVE_WIDE solve_wide
 static const float
+    per_size = 1.25f, /* slides beyond limits count in the arm's size [m^-1] */
     /* -1 * (longest2 - longest2_reach) * (longest2_reach - shortest2) [m^4] */
     m1 = 2.150425e-06f,
     m2 = 1.25f, /* L2 * k2 [m^-1] */
     m3 = 0.0875f, /* L1 - L2 * k1 * k2 [m] */
     m4 = 1e-10f; /* pose_slack^2 */
-static const float per_size = 1.25f;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

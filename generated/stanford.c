@@ -199,10 +199,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 0.000127 [m], doubt_limit = 9.999999999999999e-05. */
 static const double
+    per_size = 0.7874015748031495, /* slides beyond limits count in the arm's size [m^-1] */
     m1 = 3.3959800000001614e-12, /* 1000 * k4 [m^2] */
     m2 = 1.6129e-08, /* doubt_limit1^2 [m^2] */
     m4 = 9.999999999999999e-09; /* doubt_limit^2 */
-static const double per_size = 0.7874015748031495;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

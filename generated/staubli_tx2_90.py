@@ -79,11 +79,11 @@ k3 = 1.5280000000002339e-15  # merge_slack1 * (2 * d2 + merge_slack1) [m^2]
 k4 = 0.6544502617801046  # 1 / arm_size1 [m^-1]
 k5 = 0.36124999999999996  # 2 * d4 * a2 [m^2]
 k6 = 7.662743501634321  # 1 / (k5^2) [m^-4]
-low2 = -2.2689280285926285
-high2 = 2.5743606476916363
-high3 = 2.530727416391778
-low5 = -2.007128640793479
-high5 = 2.4434609537920613
+low2 = -2.2689280285926285  # lowest value of joint 2, with what rounding adds [rad]
+high2 = 2.5743606476916363  # highest value of joint 2, with what rounding adds [rad]
+high3 = 2.530727416391778  # highest value of joint 3, with what rounding adds [rad]
+low5 = -2.007128640793479  # lowest value of joint 5, with what rounding adds [rad]
+high5 = 2.4434609537920613  # highest value of joint 5, with what rounding adds [rad]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 1.5280000000002338e-12  # 1000 * k3 [m^2]
 # 1000 * (longest3 - longest3_apart) * (longest3_apart - shortest3) [m^4]

@@ -38,8 +38,8 @@ DHGEN_INLINE dhgen_wide_mask stewart_leg_drives(
     };
     /* In formulas below, doubt_limit1 = 7.500000000000001e-05 [m]. */
     static const double
+        per_size = 1.3333333333333333, /* slides beyond limits count in the arm's size [m^-1] */
         m1 = 5.625000000000001e-09; /* doubt_limit1^2 [m^2] */
-    static const double per_size = 1.3333333333333333;
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */

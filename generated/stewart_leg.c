@@ -126,8 +126,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 #define DHGEN_SOLVE_WIDE solve_wide
 /* In formulas below, doubt_limit1 = 7.500000000000001e-05 [m]. */
 static const double
+    per_size = 1.3333333333333333, /* slides beyond limits count in the arm's size [m^-1] */
     m1 = 5.625000000000001e-09; /* doubt_limit1^2 [m^2] */
-static const double per_size = 1.3333333333333333;
 
 /* As many poses as there are lanes: joint values, NaN without a solution, statuses, and whether a
  * pose has to be left to `solve`. */

@@ -46,9 +46,9 @@ OK, UNREACHABLE, FREE_JOINT, OUT_OF_LIMITS, INVALID_POSE = _runtime("status").PU
 
 # In formulas below, doubt_limit1 = 7.500000000000001e-05 [m].
 free_limit1 = 7.5e-13  # a length that fixes no angle [m]
-low3 = 0.34999999924999997
-high3 = 0.75000000075
-per_size = 1.3333333333333333
+low3 = 0.34999999924999997  # lowest value of joint 3, with what rounding adds [m]
+high3 = 0.75000000075  # highest value of joint 3, with what rounding adds [m]
+per_size = 1.3333333333333333  # slides beyond limits count in the arm's size [m^-1]
 limit_slack = 5e-07  # half of what rounding may take a joint beyond its limit
 m1 = 5.625000000000001e-09  # doubt_limit1^2 [m^2]
 turn, half_turn = 2.0 * math.pi, math.pi  # [rad]

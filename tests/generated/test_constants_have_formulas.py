@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -15,6 +16,10 @@ CONSTANT = re.compile(
 )
 # A name, what it is made of if that is told, and its value.
 PART = re.compile(r"(\w+) = (?:([^=]+) = )??(-?\d[\d.e+-]*)(?: \[[^]]*\])?(?:,|$)")
+# What formulas name and no code needs.
+NO_CODE = re.compile(r"/\* In formulas below, (.*?)\. \*/", re.DOTALL)
+# What one function alone names.
+INSIDE = re.compile(r"^ +static const double[^;]*;", re.MULTILINE)
 UNIT = re.compile(r"\[[^]]*\]")
 ARITHMETIC = re.compile(r"[\w\s.,+*/()^-]+")
 FUNCTIONS = {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "tan", "atan2")}
@@ -31,7 +36,7 @@ def constants(text: str) -> dict[str, tuple[float, str]]:
                 re.sub(r"^ +\* ", "", comment, flags=re.MULTILINE).strip("/* \n").split()
             )
             found[each["name"]] = float(each["value"]), UNIT.sub("", told).strip()
-    for parts in re.findall(r"/\* In formulas below, (.*?)\. \*/", text, re.DOTALL):
+    for parts in NO_CODE.findall(text):
         for name, made, value in PART.findall(parts):
             known, formula = found.get(name, (float(value), made))
             assert known == float(value), name
@@ -75,6 +80,24 @@ def test_constants_are_what_their_formulas_say(path: Path) -> None:
         if found is not None:
             formula, most = found
             assert abs(formula - value) <= 64.0 * exact * most, (name, comment, formula, value)
+
+
+def test_every_constant_says_what_it_is() -> None:
+    in_c = [
+        (path.name, name)
+        for path in GENERATED.glob("*.c")
+        if not path.name.startswith("dhgen_")
+        for text in [INSIDE.sub("", NO_CODE.sub("", path.read_text()))]
+        for name, (_, comment) in constants(text).items()
+        if not comment
+    ]
+    in_python = [
+        (path.name, line)
+        for path in GENERATED.glob("*.py")
+        for before, line in pairwise(path.read_text("utf-8").splitlines())
+        if re.fullmatch(r"[a-z]\w* = -?\d[\d.e+-]*", line) and not before.startswith("#")
+    ]
+    assert [*in_c, *in_python] == []
 
 
 def test_folded_numbers_of_regular_poses_have_formulas() -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import reduce
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from dhgen.program.building.tolerance_constants import tolerance_constant
 from dhgen.program.role import LIMIT_SLACK, LimitEnd, Source
@@ -164,15 +164,22 @@ class Limiting:
             beyond = builder.apply("maximum", builder.sub(low, value), builder.sub(value, high))
         if limits.size == 1.0:
             return beyond
-        return builder.mul(builder.constant("per_size", 1.0 / limits.size, "", -1), beyond)
+        meaning = "slides beyond limits count in the arm's size"
+        return builder.mul(builder.constant("per_size", 1.0 / limits.size, meaning, -1), beyond)
 
     def _positive(self, value: Node) -> Node:
         return self._builder.apply("less", self._builder.integer(0), value)
 
     def _ends(self, joint: int, limits: Limits) -> tuple[Node, Node]:
-        low = self._builder.constant(f"low{joint}", limits.low, "", role=LimitEnd(joint, "low"))
-        high = self._builder.constant(f"high{joint}", limits.high, "", role=LimitEnd(joint, "high"))
-        return low, high
+        return self._end(joint, limits, "low"), self._end(joint, limits, "high")
+
+    def _end(self, joint: int, limits: Limits, end: Literal["low", "high"]) -> Node:
+        meaning, power = f"{end}est value of joint {joint}, with what rounding adds", 1
+        if limits.turns:
+            meaning, power = f"{meaning} [rad]", 0
+        value = limits.low if end == "low" else limits.high
+        role = LimitEnd(joint, end)
+        return self._builder.constant(f"{end}{joint}", value, meaning, power, role)
 
     def outside(self) -> Node | None:
         """Whether any joint is outside, of a row that has a solution; None without limits."""
