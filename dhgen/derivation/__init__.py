@@ -3,32 +3,36 @@
 `derivation_files` writes Markdown for GitHub and its figures, `derivation_terminal` the same text
 for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the routes not taken.
 
-| read            | what is in it                                                               |
-|-----------------|-----------------------------------------------------------------------------|
-| document        | the order of the sections                                                   |
-| story           | what all of them draw from: the arm, its steps, how polynomials are written |
-| sections        | what is printed around the steps                                            |
-| steps           | a step: its heading, its equations, and what its type's printer adds        |
-| step_context    | one step on its way to paper: its letters, its sign                         |
-| quotes          | the equations of a step as they are in the matrices                         |
-| known_functions | sines and cosines that a step has found, as later steps take them           |
-| definitions     | letters in the order in which they become known                             |
-| types           | a printer for each equation type                                            |
-| conditions      | where a combination vanishes, in joint angles                               |
-| effects         | what that means for the arm, and what the program does there                |
-| sums_left       | of two angles about axes that are parallel there, the sum or the difference |
-| example         | a pose to work through, and its rows                                        |
-| values          | what a printed formula is worth in numbers                                  |
-| velocity        | det J in factors, the motion that each loses, and a wrist's blocks          |
-| figures         | the arm, its postures and its workspace as SVG                              |
-| geometry        | how axes lie, and the arm's size                                            |
-| notation        | letters, cells, polynomials and matrices as formulas                        |
-| text            | formulas and documents as values, templates, and a printer for each format  |
-| handouts        | the document in one file, as LaTeX and as HTML                              |
-| formats         | the document as the command is asked for it                                 |
-| languages       | what becomes of the finished document in a language                         |
-| french          | French: a catalogue of sentences, and formulas as the courses write them    |
-| summary         | what the terminal shows after a run                                         |
+| read             | what is in it                                                               |
+|------------------|-----------------------------------------------------------------------------|
+| document         | the order of the sections                                                   |
+| story            | what all of them draw from: the arm, its steps, how polynomials are written |
+| sections         | what is printed around the steps                                            |
+| steps            | a step: its heading, its equations, and what its type's printer adds        |
+| step_context     | one step on its way to paper: its letters, its sign                         |
+| quotes           | the equations of a step as they are in the matrices                         |
+| known_functions  | sines and cosines that a step has found, as later steps take them           |
+| definitions      | letters in the order in which they become known                             |
+| types            | a printer for each equation type                                            |
+| conditions       | where a combination vanishes, in joint angles                               |
+| effects          | what that means for the arm, and what the program does there                |
+| sums_left        | of two angles about axes that are parallel there, the sum or the difference |
+| example          | a pose to work through, and its rows                                        |
+| whole_example    | one of an arm that is solved as a whole                                     |
+| singular_example | one beside the example's, at which a condition is met                       |
+| known_side       | a known matrix whose long entries get letters                               |
+| cuspidal         | solutions that an arm can take without a singular place between             |
+| values           | what a printed formula is worth in numbers                                  |
+| velocity         | det J in factors, the motion that each loses, and a wrist's blocks          |
+| figures          | the arm, its postures and its workspace as SVG                              |
+| geometry         | how axes lie, and the arm's size                                            |
+| notation         | letters, cells, polynomials and matrices as formulas                        |
+| text             | formulas and documents as values, templates, and a printer for each format  |
+| handouts         | the document in one file, as LaTeX and as HTML                              |
+| formats          | the document as the command is asked for it                                 |
+| languages        | what becomes of the finished document in a language                         |
+| french           | French: a catalogue of sentences, and formulas as the courses write them    |
+| summary          | what the terminal shows after a run                                         |
 
 Prose that does not vary is Markdown in `templates/derivation`; here is what varies.
 """

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS
 from dhgen.general.links import Held, Link
 from dhgen.general.loop import JOINTS
-from dhgen.general.no_turn import with_no_turn
 from dhgen.general.setup import setup
+from dhgen.general.virtual_joint import with_virtual_joint
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.kinematics.rigid import IDENTITY
 from dhgen.robot.robot import JointKind
@@ -84,7 +84,7 @@ def loop_constants(chain: Chain) -> list[Link]:
             links.append(Link(IDENTITY))
     links[-1] = links[-1].between(IDENTITY, _matrix(arm.tool))
     if _missing(chain):
-        links = with_no_turn(links, chain.size)
+        links = with_virtual_joint(links, chain.size)
     return [*links, Link(IDENTITY)] if _only_points(chain) else links
 
 

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.features import FEATURES, act, slide, start, turn
 from dhgen.general.hidden_slide import on_circle
+from dhgen.general.monomials import MONOMIALS, act, slide, start, turn
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -57,7 +57,7 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
         right = act(np.moveaxis(inverses(link), 0, -1), right)
         right = _spread(right, slide(right) if slides_here else turn(right))
     left = left_side([K[0], K[1], K[2], K[5]], slides)
-    both = np.empty((FEATURES - 1, 8 + 27, count))
+    both = np.empty((MONOMIALS - 1, 8 + 27, count))
     both[:, :8] = right[1:, 1:]
     # the constant column of the right side goes over to the left, times every (1 + x²)
     both[:, 8:] = left[1:] - right[1:, :1] * left[:1]
@@ -68,7 +68,7 @@ def equations(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray
 
 
 def left_side(K: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
-    """The features of the left side by 1, c1, s1, then x2², x2, 1, then x3², x3, 1: (15, 27, N).
+    """The monomials of the left side by 1, c1, s1, then x2², x2, 1, then x3², x3, 1: (15, 27, N).
 
     Args:
         K: L0, L1, L2 and L5, (4, 4, N) each, in arm sizes.
@@ -91,8 +91,8 @@ def _powers(x: FloatArray, *, slides: bool) -> FloatArray:
 
 
 def _spread(x: FloatArray, parts: FloatArray) -> FloatArray:
-    """Three columns for each column of features: (15, 3 k, N), the joint's own index first."""
-    return np.swapaxes(parts, 0, 1).reshape(FEATURES, 3 * x.shape[1], -1)
+    """Three columns for each column of monomials: (15, 3 k, N), the joint's own index first."""
+    return np.swapaxes(parts, 0, 1).reshape(MONOMIALS, 3 * x.shape[1], -1)
 
 
 def reflect(rows: FloatArray, column: int) -> None:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.features import slide
+from dhgen.general.monomials import slide
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray

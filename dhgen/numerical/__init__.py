@@ -1,1 +1,4 @@
-"""An arm's constants for damped least squares; the steps themselves are in the runtime."""
+"""An arm's constants for damped least squares; the steps themselves are in the runtime.
+
+Read `kernel`, the constants, and `runtime_arm`, the numbers that the runtime gets.
+"""

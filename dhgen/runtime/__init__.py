@@ -1,4 +1,8 @@
-"""The runtime: code that is the same for all robots, shipped unchanged beside what is generated."""
+"""The runtime: code that is the same for all robots, shipped unchanged beside what is generated.
+
+It is in `c` and in `python`, with what users call besides in `helpers`. `plain` is the Python of it
+without numba, for the compiler itself.
+"""
 
 from __future__ import annotations
 

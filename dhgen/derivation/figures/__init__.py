@@ -14,7 +14,11 @@
 | postures  | the solutions of the worked example, side by side                      |
 | section   | what part of a plane a point of the arm reaches                        |
 | outline   | the border of what a raster holds                                      |
+| reach     | the point of the arm of which that is drawn                            |
 | workspace | the section, drawn                                                     |
+| svg       | shapes as SVG                                                          |
+| tikz      | shapes as TikZ, for LaTeX                                              |
+| all       | the figures of a derivation, and where they are shown                  |
 
 Coordinates are rounded where they are printed, and what is decided by them is decided by rounded
 ones: the same robot gives the same bytes on every machine.

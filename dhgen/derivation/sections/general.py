@@ -20,7 +20,7 @@ from dhgen.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.text.words import joined, numeral
 from dhgen.general.hidden_slide import UNIT
-from dhgen.general.no_turn import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
+from dhgen.general.virtual_joint import NEARLY_NONE, NEARLY_NONE_IN_DOUBT
 from dhgen.kinematics.chain import Slide, Turn
 from dhgen.kinematics.neighbours import EXACT, axis_triples, short_number
 from dhgen.paul.refusal.unsolved import NEARLY_CONCURRENT, NEARLY_PARALLEL

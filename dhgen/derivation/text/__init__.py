@@ -2,5 +2,6 @@
 
 Read `formula` and `blocks`, the values; `walk`, which looks into formulas; `template`, blocks from
 Markdown with places; `words`. Then the printing: `style` and `show` for the parts of a formula,
-`lines` for long ones, `markdown` and `plain` for documents.
+`lines` for long ones, `inline` for prose; `markdown`, `plain`, `html` and `latex`, with
+`latex_text`, for documents.
 """

@@ -2,7 +2,7 @@
 
 Read `programs` and `lower`, which go through it all. What a step works with is in `context`, with
 `target`, `angles`, `polynomials` and `arm_scale`; `types` lower a step each, with `coefficients`,
-`roots`, `set_angle`, `distances` and `frame_columns`; `shoulder` is for arms with an
-arm angle. `final_check` and `checks` are about rows that miss their pose, `postures` names rows.
-`forward` and `arm_angle` are the programs from joint values.
+`roots`, `set_angle`, `distances` and `frame_columns`; `shoulder` is for arms with an arm angle,
+with `vectors`, `yaw` for tasks that name it. `final_check` and `checks` are about rows that miss
+their pose, `postures` names rows. `forward` and `arm_angle` are the programs from joint values.
 """

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.general.loop import out_of_reach
 from dhgen.general.vanishing import THERE
-from dhgen.targets.general.left import constant_left
+from dhgen.targets.general.constant_left_side import constant_left
 from dhgen.targets.general.numbers import rigid, row
 
 if TYPE_CHECKING:

@@ -12,5 +12,6 @@ determinant), circle (real roots of a polynomial on the circle), moebius (a lens
 wrist and four_turns (polynomials in closed form), roots (all real roots of either), recover (joints
 from a root), refine (Newton's steps), candidates (what becomes a solution), attempts (one
 formulation), correct (from near all solutions to these), search (all of them), rows (solutions of
-the arm); near (joint values near all solutions, by the nearest arm with a structure).
+the arm); near (joint values near all solutions, by the nearest arm with a structure), postures
+(rows of that arm); compiled (all of it beforehand).
 """

@@ -30,7 +30,7 @@ COSINE, SINE = 112 / 113, 15 / 113
 
 @apart("void(float64[::1], float64[:, ::1])")
 def act(K: Floats, x: Floats) -> None:
-    """Moves features of a point p and a direction l by a rigid motion, in place, column by column.
+    """Moves monomials of a point p and a direction l by a rigid motion, in place, column by column.
 
     They are 1, l, p, p.p, p.l, p x l and (p.p) l - 2 (p.l) p: 15 numbers.
     """
@@ -60,7 +60,7 @@ def act(K: Floats, x: Floats) -> None:
 
 @inner
 def _slid(arm: Floats, x: Floats, to: Floats) -> None:
-    """Computes what a slide's length makes of features: the coefficients of its powers.
+    """Computes what a slide's length makes of monomials: the coefficients of its powers.
 
     Powers of a partner are in the order d^2, d, 1, others in the order 1, d, d^2.
     """
@@ -88,7 +88,7 @@ def _slid(arm: Floats, x: Floats, to: Floats) -> None:
 
 @apart("float64[:, ::1](float64[::1], float64[::1], float64[:, ::1], int64, boolean)")
 def pass_link(arm: Floats, K: Floats, x: Floats, joint: int, powers: bool) -> Floats:
-    """Returns features behind a link and the joint before it, three columns for each of them.
+    """Returns monomials behind a link and the joint before it, three columns for each of them.
 
     They are the coefficients of 1, cos and sin of the joint's angle, or with `powers` of y^2, y and
     1 for y = tan(phi/2), times 1 + y^2, or for the length of a slide. Column a columns + k is part

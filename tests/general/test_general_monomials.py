@@ -1,4 +1,4 @@
-"""The features are a representation of the rigid motions, and the equations hold at solutions."""
+"""The monomials are a representation of the rigid motions, and the equations hold at solutions."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from dhgen.general.determinant import equations, fold
-from dhgen.general.features import FEATURES, act, slide, turn
 from dhgen.general.formulation import OTHERS, formulations
 from dhgen.general.links import Link
 from dhgen.general.loop import close_loop
+from dhgen.general.monomials import MONOMIALS, act, slide, turn
 from dhgen.kinematics.rigid import along_z, inverse, multiply
 from dhgen.kinematics.rigid import turn as rotation
 from dhgen.runtime.python.general.tables import GRID_C, GRID_S
@@ -33,7 +33,7 @@ def motion(value: float, *, slides: bool) -> np.ndarray:
 
 def some_features(seed: int) -> np.ndarray:
     """(15, 1, 1), the first of them 1."""
-    x = np.random.default_rng(seed).uniform(-1, 1, (FEATURES, 1, 1))
+    x = np.random.default_rng(seed).uniform(-1, 1, (MONOMIALS, 1, 1))
     x[0] = 1.0
     return x
 

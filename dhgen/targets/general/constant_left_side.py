@@ -1,4 +1,4 @@
-"""The left side of a formulation that has the pose on its right: features that are constant."""
+"""The left side of a formulation that has the pose on its right: monomials that are constant."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ LEFT = (0, 1, 2, 5)  # the links on that side
 
 
 def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str, ...]:
-    """The features of the left side, a row for each, 27 numbers in it; none where they vary.
+    """The monomials of the left side, a row for each, 27 numbers in it; none where they vary.
 
     They do with the pose, and with joints whose values the caller gives. Where a polynomial in
     closed form is tried before a formulation they are not worth their room.
@@ -29,5 +29,5 @@ def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str,
     constants = [np.array(link.first)[None] for link in around]
     every = formulation.links(constants, np.eye(4)[None])
     K = [np.moveaxis(every[place], 0, -1) for place in LEFT]
-    features = left_side(K, formulation.slides(kernel.loop.slides))
-    return rows(features[:, :, 0].tolist())
+    monomials = left_side(K, formulation.slides(kernel.loop.slides))
+    return rows(monomials[:, :, 0].tolist())

@@ -1,4 +1,4 @@
-"""The features of a formulation's left side, which C has as numbers where no pose is among them."""
+"""The monomials of a formulation's left side: numbers in C where no pose is among them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from dhgen.general.determinant import left_side
 from dhgen.general.formulation import Formulation, formulations
 from dhgen.general.links import Held
-from dhgen.targets.general.left import LEFT, constant_left
+from dhgen.targets.general.constant_left_side import LEFT, constant_left
 from tests.general.arms import kernel, poses
 
 pytestmark = pytest.mark.slow  # rare: what is common fails first, in other files

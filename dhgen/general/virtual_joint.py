@@ -32,7 +32,7 @@ NEARLY_NONE = 0.01
 NEARLY_NONE_IN_DOUBT = 0.1
 
 
-def with_no_turn(links: Sequence[Link], size: float) -> list[Link]:
+def with_virtual_joint(links: Sequence[Link], size: float) -> list[Link]:
     """C0 ... C6 of six joints from C0 ... C5 of five: C5 becomes W J6 W⁻¹ C5; or of fewer.
 
     Args:

@@ -1,4 +1,4 @@
-"""The fourteen features of a point and a direction, and how a rigid motion acts on them.
+"""The fourteen monomials of a point and a direction, and how a rigid motion acts on them.
 
 M. Raghavan and B. Roth, Inverse kinematics of the general 6R manipulator and related linkages,
 ASME J. Mech. Des. 115 (1993), equations (9) to (14): with p and l the origin and the z axis of a
@@ -6,7 +6,7 @@ frame, l, p, p·p, p·l, p×l and (p·p) l − 2 (p·l) p have one set of power 
 they span a representation of the rigid motions: x ↦ R x + t acts by a 15x15 matrix G(R, t),
 G(A B) = G(A) G(B).
 
-Arrays have the features on their first axis, poses on their last, anything between.
+Arrays have the monomials on their first axis, poses on their last, anything between.
 """
 
 from __future__ import annotations
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
 
-ONE, L, P, PP, PL, PXL, W = 0, 1, 4, 7, 8, 9, 12  # where each feature begins
-FEATURES = 15
+ONE, L, P, PP, PL, PXL, W = 0, 1, 4, 7, 8, 9, 12  # where each monomial begins
+MONOMIALS = 15
 
 
 def start(count: int) -> FloatArray:
-    """Features of the origin with the direction z: (15, 1, N), the start of every chain."""
-    x = np.zeros((FEATURES, 1, count))
+    """Monomials of the origin with the direction z: (15, 1, N), the start of every chain."""
+    x = np.zeros((MONOMIALS, 1, count))
     x[ONE] = x[L + 2] = 1.0
     return x
 
 
 def act(K: FloatArray, x: FloatArray) -> FloatArray:
-    """G(K) x for transforms (4, 4, N) and features (15, ..., N)."""
+    """G(K) x for transforms (4, 4, N) and monomials (15, ..., N)."""
     t = K[:3, 3]
     one, pl = x[ONE], x[PL]
     u, q, v, w = (_turned(K, x[at : at + 3]) for at in (L, P, PXL, W))
