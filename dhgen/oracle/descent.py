@@ -76,7 +76,7 @@ def _damped(problem: Problem, q: FloatArray) -> FloatArray:
     return q[cost < NEARLY]
 
 
-def polish(
+def refine(
     problem: Problem, q: FloatArray
 ) -> tuple[FloatArray, NDArray[np.bool_], NDArray[np.bool_]]:
     """Solutions to the last digits.

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.oracle.descent import descend, polish
+from dhgen.oracle.descent import descend, refine
 from dhgen.oracle.problem import Problem, state
 
 if TYPE_CHECKING:
@@ -92,7 +92,7 @@ def solve(
         # most starts end where others have ended: only new places need their last digits
         old = _among(problem, places.q, regular.q)
         regular = _merge(problem, regular, places[old], SAME)
-        q, solved, simple = polish(problem, places.q[~old])
+        q, solved, simple = refine(problem, places.q[~old])
         new = _Places(q, places.times[~old])
         regular = _merge(problem, regular, new[simple], SAME)
         singular = _merge(problem, singular, new[solved & ~simple], SAME_SINGULAR)
