@@ -28,10 +28,17 @@ def imported(path: Path) -> set[str]:
         for each in ast.walk(node)
     }
     for node in ast.walk(tree):
-        if isinstance(node, ast.ImportFrom) and not node.level and id(node) not in types:
-            whole = {f"{node.module}.{each.name}" for each in node.names}
-            found |= {each if each in MODULES else str(node.module) for each in whole}
+        if isinstance(node, ast.ImportFrom) and id(node) not in types:
+            source = ".".join(filter(None, (*package(path, node.level), node.module)))
+            whole = {f"{source}.{each.name}" for each in node.names}
+            found |= {each if each in MODULES else source for each in whole}
     return found & set(MODULES)
+
+
+def package(path: Path, level: int) -> tuple[str, ...]:
+    """What the dots in front of a module stand for, as the runtime has them."""
+    parts = path.relative_to(ROOT.parent).parts
+    return parts[: len(parts) - level] if level else ()
 
 
 IMPORTS = {name: imported(path) - {name} for name, path in MODULES.items()}
@@ -46,6 +53,8 @@ def test_imports_are_seen() -> None:
     assert "dhgen.paul.derive" in IMPORTS["dhgen.nominal.nominal"]
     assert "dhgen.kinematics.chain" not in IMPORTS["dhgen.nominal.nominal"]  # for types alone
     assert "dhgen.robot_files" in IMPORTS["dhgen.commands"]  # within functions
+    runtime = "dhgen.runtime.python"
+    assert {f"{runtime}.jit", f"{runtime}.rigid"} <= IMPORTS[f"{runtime}.general.loop"]
 
 
 @pytest.mark.parametrize("of", ["modules", "folders"])
