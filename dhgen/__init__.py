@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from dhgen.library.load import load
     from dhgen.library.solver import Solver
 
-__version__ = "0.1.0"
+__version__ = "0.2.0.dev0"
 __all__ = [
     "Arm",
     "CommandError",

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_gofa_5.yaml. The formulas and where they come from:
  * abb_gofa_5.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 25c95d32d8b27f20
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 25c95d32d8b27f20
  * SPDX-License-Identifier: MIT
  */
 #include "abb_gofa_5.h"

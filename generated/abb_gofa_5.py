@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 25c95d32d8b27f20
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 25c95d32d8b27f20
 """abb_gofa_5: ABB GoFa CRB 15000-5/0.95.
 
 Inverse kinematics, generated from robots/abb_gofa_5.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb120.yaml. The formulas and where they come from:
  * abb_irb120.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1d5a53e83bedae87
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 1d5a53e83bedae87
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb120.h"
@@ -159,15 +159,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
         const double c1 = free1 ? cos(v1) : -(X1 * factor1), s1 = free1 ? sin(v1) : t24 * factor1;
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta3 */
-        const double N3 = v2 + root1 * root1;
+        const double N3 = v2 + D1 * D1;
         const double K3 = N3 - k3;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -186,15 +186,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (k2 * root3 - v3) * k4, c3 = k4 * (v4 + k1 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (k2 * D3 - v3) * k4, c3 = k4 * (v4 + k1 * D3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + (a3 * c3 - d4 * s3);
             const double Y1_2 = d4 * c3 + a3 * s3;
-            const double S2 = Z1_3 * X1_2 - root1 * Y1_2;
-            const double C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const double S2 = Z1_3 * X1_2 - D1 * Y1_2;
+            const double C2 = D1 * X1_2 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const double factor2 = 1.0 / w2;
             const double c2 = C2 * factor2, s2 = S2 * factor2;
@@ -272,10 +272,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v3 = w3 - w3,
-        v4 = m4 - m5 * N3, v5 = m3 * w3, s3_p = v4 + v5, s3_m = v4 - v5, v6 = m3 * N3 - m6,
-        v7 = m5 * w3, c3_p = v6 + v7, c3_m = v6 - v7, angle1 = dhgen_atan2_wide(w3, N3 - k3),
-        q3__p = angle1 - turn1, v8 = turn1 + angle1;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v3 = w3 - w3, v4 = m4 - m5 * N3, v5 = m3 * w3, s3_p = v4 + v5, s3_m = v4 - v5,
+        v6 = m3 * N3 - m6, v7 = m5 * w3, c3_p = v6 + v7, c3_m = v6 - v7,
+        angle1 = dhgen_atan2_wide(w3, N3 - k3), q3__p = angle1 - turn1, v8 = turn1 + angle1;
 
     /* theta2 */
     const dhgen_wide X1_2 = m7 * N3 - m8, v9 = Z1_3 * X1_2, v10 = w3 * (m7 * w1), S2_pp = v9 - v10,
@@ -390,8 +390,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m2) | (v1 <= m1) | (v25 <= m9) | (v24 <= m9) |
-        (v22 <= m9) | (v23 <= m9)) | (dhgen_within_slack_wide(excess_mmm) |
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared) <= m2) | (v1 <= m1) | (v25 <= m9) | (v24 <=
+        m9) | (v22 <= m9) | (v23 <= m9)) | (dhgen_within_slack_wide(excess_mmm) |
         dhgen_within_slack_wide(excess_mmp) | dhgen_within_slack_wide(excess_mpm) |
         dhgen_within_slack_wide(excess_mpp) | dhgen_within_slack_wide(excess_pmm) |
         dhgen_within_slack_wide(excess_pmp) | dhgen_within_slack_wide(excess_ppp) |
@@ -418,7 +418,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T31 - d1, N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v3 = w3 - w3, v4 = m4 - m5 * N3;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v3 = w3 - w3,
+        v4 = m4 - m5 * N3;
     const dhgen_four s3 = v4 + w3 * (m3 * e3);
     const double v5 = m3 * N3 - m6;
     const dhgen_four c3 = v5 + w3 * (m5 * e3);
@@ -446,7 +447,7 @@ DHGEN_INLINE int solve_regular(
     const double v20 = copysign(DHGEN_HALF_TURN, t24);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v13 <= m9)) |
-        (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
+        (unsigned)((v1 <= m1) | (fabs(D3_squared) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(w3, t24, w3, w3),

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb1600.yaml. The formulas and where they come from:
  * abb_irb1600.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 6c48156184b3fa9e
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 6c48156184b3fa9e
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb1600.h"
@@ -168,10 +168,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v1 = w1 * e1 + a1;
         const double N3 = v2 + v1 * v1;
         const double K3 = N3 - k2;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double s3 = k1 * K3 * k3;
 
         /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
@@ -275,9 +275,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, v4 = a1 + w1, v5 = a1 - w1, v6 = Z1_3 * Z1_3,
-        N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v7 = k1 * (N3_p - k2), v8 = k1 * (N3_m - k2);
+        N3_p = v6 + v4 * v4, N3_m = v6 + v5 * v5,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v7 = k1 * (N3_p - k2), v8 = k1 * (N3_m - k2);
 
     /* theta2 */
     const dhgen_wide v9 = m5 + m4 * N3_p, v10 = m5 + m4 * N3_m, v11 = Z1_3 * v9, v12 = Z1_3 * v10,
@@ -376,7 +377,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v38 <= m8) | (v37 <= m8) | (v36 <= m8) | (v35 <= m8) |
-        (dhgen_abs_wide(D3_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3));
+        (dhgen_abs_wide(D3_squared_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_squared_p) <= m3));
 }
 
 #if DHGEN_LANES > 1
@@ -402,8 +403,8 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d6 * T33 - d1;
     const dhgen_four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v7 = k1 * (N3 - k2);
+    const dhgen_four N3 = v6 + v5 * v5, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v7 = k1 * (N3 - k2);
 
     /* theta2 */
     const dhgen_four v8 = m5 + m4 * N3, v9 = Z1_3 * v8, v10 = m4 * (e3 * Z1_3), v11 = v5 * v8,
@@ -437,7 +438,7 @@ DHGEN_INLINE int solve_regular(
         v41 = dhgen_signed_four(DHGEN_HALF_TURN, -(e1 * v20));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m3) | (v23 <= m8)) | (unsigned)(v1 <= m1))
+        (dhgen_abs_four(D3_squared) <= m3) | (v23 <= m8)) | (unsigned)(v1 <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v7, dhgen_all_four(Y1), 0, 5,

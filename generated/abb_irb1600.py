@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 6c48156184b3fa9e
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 6c48156184b3fa9e
 """abb_irb1600: ABB IRB 1600.
 
 Inverse kinematics, generated from robots/abb_irb1600.yaml and templates/python/solver.py.jinja.
@@ -209,11 +209,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v1 = w1 * e1 + a1
         N3 = v2 + v1 * v1
         K3 = N3 - k2
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         s3 = k1 * K3 * k3
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
@@ -309,9 +309,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v4, v5 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v6 = Z1_3 * Z1_3
         N3_p, N3_m = v6 + v4 * v4, v6 + v5 * v5
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m, v7 = math.sqrt(D3_p), math.sqrt(D3_m), k1 * (N3_p - k2)
-        v8 = k1 * (N3_m - k2)
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v7, v8 = math.sqrt(D3_squared_m), k1 * (N3_p - k2), k1 * (N3_m - k2)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         v9, v10 = m5 + m4 * N3_p, m5 + m4 * N3_m
@@ -354,8 +354,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_m) <= m3 or v1 <= m1
-            or abs(D3_p) <= m3 else kept[16 * w + k]
+            1.0 if v38 <= m8 or v37 <= m8 or v36 <= m8 or v35 <= m8 or abs(D3_squared_m) <= m3 or v1
+            <= m1 or abs(D3_squared_p) <= m3 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v7, v8, v55

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/abb_irb460.yaml. The formulas and where they come from:
  * abb_irb460.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8054b894185cab1a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 8054b894185cab1a
  * SPDX-License-Identifier: MIT
  */
 #include "abb_irb460.h"
@@ -178,10 +178,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v2 = w1 * e1 + k2;
         const double N3 = v3 + v2 * v2;
         const double K3 = N3 - k3;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k4;
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
@@ -245,9 +245,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - k1, v2 = k2 + w1, v3 = k2 - w1, v4 = Z1_3 * Z1_3,
-        N3_p = v4 + v2 * v2, N3_m = v4 + v3 * v3, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v5 = w3_p - w3_p, v6 = w3_m - w3_m;
+        N3_p = v4 + v2 * v2, N3_m = v4 + v3 * v3,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v5 = w3_p - w3_p, v6 = w3_m - w3_m;
 
     /* theta2 */
     const dhgen_wide v7 = m6 - m5 * N3_p, v8 = m6 - m5 * N3_m, v9 = Z1_3 * v7, v10 = Z1_3 * v8,
@@ -291,10 +292,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_within_wide(q[12], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11] + T[0] * T[0] + T[4] * T[4]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v1 <= m2) | (T11 * T11 + T21 * T21 <= m1) | (dhgen_abs_wide(D3_p) <= m4)
-        | (dhgen_abs_wide(D3_m) <= m4)) | (dhgen_within_slack_wide(excess_mm) |
-        dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
-        dhgen_within_slack_wide(excess_pm));
+    return (exact == 0) | ((v1 <= m2) | (T11 * T11 + T21 * T21 <= m1) |
+        (dhgen_abs_wide(D3_squared_p) <= m4) | (dhgen_abs_wide(D3_squared_m) <= m4)) |
+        (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -322,8 +323,8 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - k1;
     const dhgen_four v4 = k2 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v6 = w3 - w3;
+    const dhgen_four N3 = v5 + v4 * v4, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v6 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v7 = m6 - m5 * N3, v8 = Z1_3 * v7, v9 = m5 * (e3 * Z1_3), v10 = v4 * -v7;
@@ -332,8 +333,8 @@ DHGEN_INLINE int solve_regular(
     const double v12 = copysign(DHGEN_HALF_TURN, s4);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11] + T[0] * T[0] + T[4] * T[4])) <=
-        DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3) <= m4)) | (unsigned)((T11 * T11 + T21 * T21
-        <= m1) | (v1 <= m2)))
+        DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3_squared) <= m4)) | (unsigned)((T11 * T11 + T21
+        * T21 <= m1) | (v1 <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3,

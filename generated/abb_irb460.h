@@ -8,7 +8,7 @@
  * a pose, x = T[0, 3] and y = T[1, 3] and z = T[2, 3] and the yaw atan2(T[1, 0], T[0, 0]) counts;
  * other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8054b894185cab1a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 8054b894185cab1a
  * SPDX-License-Identifier: MIT
  */
 #ifndef ABB_IRB460_H

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 061b107b5feed2ce
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 061b107b5feed2ce
 """abb_irb4600: ABB IRB 4600-40/2.55.
 
 Inverse kinematics, generated from robots/abb_irb4600.yaml and templates/python/solver.py.jinja.
@@ -216,11 +216,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v1 = w1 * e1 + a1
         N3 = v2 + v1 * v1
         K3 = N3 - k3
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[2, 3]
@@ -237,8 +237,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
+            D3 = w3 * e3
+            s3, c3 = (k2 * D3 - v3) * k4, k4 * (v4 + k1 * D3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[1, 4] and U1[3, 4]
@@ -309,8 +309,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v3, v4 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
         N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m = math.sqrt(D3_squared_m)
 
         # theta2, type 3: U1[1, 4] and U1[3, 4]
         X1_2_p, X1_2_m = m4 * N3_p - m5, m4 * N3_m - m5
@@ -347,8 +348,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_m) <= m3 or v1 <=
-            m1 or abs(D3_p) <= m3 else kept[16 * w + k]
+            1.0 if v35 <= m10 or v34 <= m10 or v33 <= m10 or v32 <= m10 or abs(D3_squared_m) <= m3
+            or v1 <= m1 or abs(D3_squared_p) <= m3 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v36, v37, v42

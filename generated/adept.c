@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/adept.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/adept.yaml. The formulas and where they come from: adept.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: ab976a3980df600e
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: ab976a3980df600e
  * SPDX-License-Identifier: MIT
  */
 #include "adept.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: ab976a3980df600e
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: ab976a3980df600e
 """adept: Adept SCARA.
 
 Inverse kinematics, generated from robots/adept.yaml and templates/python/solver.py.jinja.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 68b97f2e9783ad26
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 68b97f2e9783ad26
 """arm_3r: Arm with three revolute joints, to its wrist centre.
 
 Inverse kinematics, generated from robots/arm_3r.yaml and templates/python/solver.py.jinja.
@@ -144,21 +144,21 @@ def _solve(pose, q_free, seed, moved, q, status):
         c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
         s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
         q1 = _atan2(s1, c1)
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta3
-        N3 = v1 + root1 * root1
+        N3 = v1 + D1 * D1
         K3 = N3 - k2
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v2 = k1 * K3 * k3
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         Y1_2 = a2 + d4 * v2
-        v4, v5 = Z1_3 * Y1_2, root1 * Y1_2
+        v4, v5 = Z1_3 * Y1_2, D1 * Y1_2
 
         for i2 in range(2):  # +, -
             e3 = 1.0 - 2.0 * i2
@@ -170,7 +170,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             v3 = d4 * c3
-            S2 = root1 * v3 - v4
+            S2 = D1 * v3 - v4
             v6 = Z1_3 * v3 + v5
             w2 = math.sqrt(S2 * S2 + v6 * v6)
             factor2 = 1.0 / w2
@@ -198,8 +198,8 @@ def _formulas(kept, turns, rows, w):
         # theta3, type 8: U1[2, 4] and U1[1, 4]
         Z1_3 = T34 - d1
         N3 = v1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v2 = w3 - w3
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
@@ -209,7 +209,7 @@ def _formulas(kept, turns, rows, w):
         v9 = v8 - v4
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if v1 <= m1 or abs(D3) <= m3 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if v1 <= m1 or abs(D3_squared) <= m3 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = N3, v2, -T24
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -(k1 * (N3 - k2)), v9, -(v4 + v8)
         turns[4 * w + k], turns[5 * w + k], turns[8 * w + k] = -(v4 + v8), v9, -T14

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/arm_6r.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/arm_6r.yaml. The formulas and where they come from: arm_6r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5414216a0af071f2
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5414216a0af071f2
  * SPDX-License-Identifier: MIT
  */
 #include "arm_6r.h"
@@ -150,20 +150,20 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : -(wx * factor1),
             s1 = free1 ? sin(seed[0]) : Y1 * factor1;
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta3 */
-        const double N3 = v1 + root1 * root1;
+        const double N3 = v1 + D1 * D1;
         const double K3 = N3 - k2;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v2 = k1 * K3 * k3;
 
         /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
         const double Y1_2 = a2 + d4 * v2;
-        const double v4 = Z1_3 * Y1_2, v5 = root1 * Y1_2;
+        const double v4 = Z1_3 * Y1_2, v5 = D1 * Y1_2;
 
         /* theta4, type 2: U4[3, 3] */
         const double v7 = T13 * c1 + T23 * s1;
@@ -183,7 +183,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double v3 = d4 * c3;
-            const double S2 = root1 * v3 - v4;
+            const double S2 = D1 * v3 - v4;
             const double v6 = Z1_3 * v3 + v5;
             const double w2 = sqrt(S2 * S2 + v6 * v6);
             const double factor2 = 1.0 / w2;
@@ -249,8 +249,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v3 = w3 - w3,
-        v4 = k1 * (N3 - k2), v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v3 = w3 - w3, v4 = k1 * (N3 - k2), v5 = k3 * v4, v6 = k1 * w3, c3 = k3 * v6,
         angle2 = dhgen_atan2_wide(-v4, v6),
         q3_pmp = dhgen_signed_wide(DHGEN_HALF_TURN, -v4) - angle2;
 
@@ -331,8 +331,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m3) | (v1 <= m1) | (v48 <= m6) | (v47 <= m6) |
-        (v45 <= m6) | (v46 <= m6));
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared) <= m3) | (v1 <= m1) | (v48 <= m6) | (v47 <=
+        m6) | (v45 <= m6) | (v46 <= m6));
 }
 
 #if DHGEN_LANES > 1
@@ -355,8 +355,9 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double Z1_3 = T34 - d6 * T33 - d1, N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
-        v6 = k3 * v5, v7 = k1 * w3, c3 = k3 * v7, v8 = copysign(DHGEN_HALF_TURN, -v5);
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v4 = w3 - w3,
+        v5 = k1 * (N3 - k2), v6 = k3 * v5, v7 = k1 * w3, c3 = k3 * v7,
+        v8 = copysign(DHGEN_HALF_TURN, -v5);
 
     /* theta2 */
     const double v9 = d4 * c3, Y1_2 = a2 + d4 * v6, v10 = Z1_3 * Y1_2, v11 = w1 * v9;
@@ -383,7 +384,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v36 = e1 * (-X4 * v34 - Y4 * (e1 * (c23 * v35) - s23 * T31));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v29 <= m6)) |
-        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+        (unsigned)((v1 <= m1) | (fabs(D3_squared) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Y1, -v5, Y1, Y1),

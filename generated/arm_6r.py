@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5414216a0af071f2
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5414216a0af071f2
 """arm_6r: Arm with six revolute joints and a spherical wrist.
 
 Inverse kinematics, generated from robots/arm_6r.yaml and templates/python/solver.py.jinja.
@@ -185,21 +185,21 @@ def _solve(pose, q_free, seed, moved, q, status):
         c1 = math.cos(seed[0]) if free1 else -(wx * factor1)
         s1 = math.sin(seed[0]) if free1 else Y1 * factor1
         q1 = _atan2(s1, c1)
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta3
-        N3 = v1 + root1 * root1
+        N3 = v1 + D1 * D1
         K3 = N3 - k2
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v2 = k1 * K3 * k3
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         Y1_2 = a2 + d4 * v2
-        v4, v5 = Z1_3 * Y1_2, root1 * Y1_2
+        v4, v5 = Z1_3 * Y1_2, D1 * Y1_2
 
         # theta4, type 2: U4[3, 3]
         v7 = T13 * c1 + T23 * s1
@@ -220,7 +220,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             v3 = d4 * c3
-            S2 = root1 * v3 - v4
+            S2 = D1 * v3 - v4
             v6 = Z1_3 * v3 + v5
             w2 = math.sqrt(S2 * S2 + v6 * v6)
             factor2 = 1.0 / w2
@@ -279,8 +279,8 @@ def _formulas(kept, turns, rows, w):
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = v1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v3, v4 = w3 - w3, k1 * (N3 - k2)
         v5, v6 = k3 * v4, k1 * w3
         c3 = k3 * v6
@@ -328,8 +328,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if abs(D3) <= m3 or v1 <= m1 or v48 <= m6 or v47 <= m6 or v45 <= m6 or v46 <= m6
-            else kept[16 * w + k]
+            1.0 if abs(D3_squared) <= m3 or v1 <= m1 or v48 <= m6 or v47 <= m6 or v45 <= m6 or v46
+            <= m6 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, v3, v4
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v49, v50, v55

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/bartell_rprpr.yaml. The formulas and where they come from:
  * bartell_rprpr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d48b6b9d27ba3606
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: d48b6b9d27ba3606
  * SPDX-License-Identifier: MIT
  */
 #include "bartell_rprpr.h"

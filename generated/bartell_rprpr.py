@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d48b6b9d27ba3606
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: d48b6b9d27ba3606
 """bartell_rprpr: Bartell RPRPR arm.
 
 Inverse kinematics, generated from robots/bartell_rprpr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cartesian.yaml. The formulas and where they come from:
  * cartesian.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 274f14e086929f69
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 274f14e086929f69
  * SPDX-License-Identifier: MIT
  */
 #include "cartesian.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 274f14e086929f69
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 274f14e086929f69
 """cartesian: Cartesian arm.
 
 Inverse kinematics, generated from robots/cartesian.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/comau_ns16.yaml. The formulas and where they come from:
  * comau_ns16.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 662c5aef5c1d86d9
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 662c5aef5c1d86d9
  * SPDX-License-Identifier: MIT
  */
 #include "comau_ns16.h"
@@ -156,10 +156,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
     const int free1 = N1 <= free_limit_squared2;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : k1 * sqrt(N1)));
     const double v1 = X1 * k1, v2 = wy * k1;
 
@@ -175,19 +175,19 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - X1 * root1),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + wy * root1);
+        const double D1 = w1 * e1;
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v2 - X1 * D1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v1 + wy * D1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double Z2_3 = root1 - a1;
+        const double Z2_3 = D1 - a1;
         const double N3 = v3 + Z2_3 * Z2_3;
         const double K3 = N3 - k7;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= D3 * v4)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= D3_squared * v4)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4 */
@@ -203,8 +203,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (v5 + k6 * root3) * k8, c3 = k8 * (v6 - k5 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (v5 + k6 * D3) * k8, c3 = k8 * (v6 - k5 * D3);
 
             /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
             const double X1_2 = a2 + (a3 * c3 + d4 * s3);
@@ -288,19 +288,19 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * wy),
-        c1_p = v1 - w1 * (X1 * inverse1), c1_m = v1 - w1 * (inverse1 * -X1),
-        v2 = inverse1 * (k1 * X1), s1_p = v2 + w1 * (wy * inverse1),
-        s1_m = v2 + w1 * (inverse1 * -wy), angle1 = dhgen_atan2_wide(s1_p, c1_p),
-        angle2 = dhgen_atan2_wide(s1_m, c1_m);
+    const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = dhgen_sqrt_wide(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v1 = inverse1 * (k1 * wy), c1_p = v1 - w1 * (X1 * inverse1),
+        c1_m = v1 - w1 * (inverse1 * -X1), v2 = inverse1 * (k1 * X1),
+        s1_p = v2 + w1 * (wy * inverse1), s1_m = v2 + w1 * (inverse1 * -wy),
+        angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, c1_m);
 
     /* theta3 */
     const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), Z2_3_p = w1 - a1, v3 = a1 + w1, v4 = Z1_3 * Z1_3,
         N3_p = v4 + Z2_3_p * Z2_3_p, N3_m = v4 + v3 * v3,
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), v5 = k4 * w1, w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m);
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), v5 = k4 * w1,
+        w3_p = dhgen_sqrt_wide(D3_squared_p), w3_m = dhgen_sqrt_wide(D3_squared_m);
 
     /* theta2 */
     const dhgen_wide X1_2_p = m4 + m3 * N3_p, X1_2_m = m4 + m3 * N3_m, v6 = Z1_3 * X1_2_p,
@@ -426,9 +426,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1) | (N1 <= doubt_limit_squared2) | (v32 <= m9) |
-        (v31 <= m9) | (v30 <= m9) | (v29 <= m9) | (dhgen_abs_wide(D3_p * v5) <= m2) |
-        (dhgen_abs_wide(D3_m * v5) <= m2)) | (dhgen_within_slack_wide(excess_mmm) |
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1) | (N1 <= doubt_limit_squared2) | (v32
+        <= m9) | (v31 <= m9) | (v30 <= m9) | (v29 <= m9) | (dhgen_abs_wide(D3_squared_p * v5) <= m2)
+        | (dhgen_abs_wide(D3_squared_m * v5) <= m2)) | (dhgen_within_slack_wide(excess_mmm) |
         dhgen_within_slack_wide(excess_mmp) | dhgen_within_slack_wide(excess_mpm) |
         dhgen_within_slack_wide(excess_mpp) | dhgen_within_slack_wide(excess_pmm) |
         dhgen_within_slack_wide(excess_pmp) | dhgen_within_slack_wide(excess_ppp) |
@@ -448,8 +448,9 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = inverse1 * (k1 * wy);
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = sqrt(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v1 = inverse1 * (k1 * wy);
     const dhgen_four c1 = v1 - w1 * (inverse1 * (e1 * X1));
     const double v2 = inverse1 * (k1 * X1);
     const dhgen_four s1 = v2 + w1 * (inverse1 * (e1 * wy));
@@ -458,9 +459,9 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = d1 + (d6 * T33 - T34);
     const dhgen_four Z2_3 = e1 * w1 - a1;
     const double v3 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3);
+    const dhgen_four N3 = v3 + Z2_3 * Z2_3, D3_squared = (longest3 - N3) * (N3 - shortest3);
     const double v4 = k4 * w1;
-    const dhgen_four w3 = dhgen_sqrt_four(D3);
+    const dhgen_four w3 = dhgen_sqrt_four(D3_squared);
 
     /* theta2 */
     const dhgen_four X1_2 = m4 + m3 * N3, v5 = Z1_3 * X1_2, v6 = Z2_3 * X1_2, v7 = m3 * (e3 * Z1_3),
@@ -483,8 +484,9 @@ DHGEN_INLINE int solve_regular(
     /* joint values */
     const dhgen_four v25 = dhgen_signed_four(DHGEN_HALF_TURN, Y4);
 
-    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(D3
-        * v4) <= m2) | (v18 <= m9)) | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D1) <= m1)))
+    if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
+        (dhgen_abs_four(D3_squared * v4) <= m2) | (v18 <= m9)) | (unsigned)((N1 <=
+        doubt_limit_squared2) | (fabs(D1_squared) <= m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, w3, 0, 5, 2, 7),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 662c5aef5c1d86d9
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 662c5aef5c1d86d9
 """comau_ns16: Comau NS 16 Hand.
 
 Inverse kinematics, generated from robots/comau_ns16.yaml and templates/python/solver.py.jinja.
@@ -222,11 +222,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
     free1 = N1 <= free_limit_squared2
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else k1 * math.sqrt(N1)))
     v1, v2 = X1 * k1, wy * k1
 
@@ -244,20 +244,20 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - X1 * root1)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 + wy * root1)
+        D1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v2 - X1 * D1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (v1 + wy * D1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        Z2_3 = root1 - a1
+        Z2_3 = D1 - a1
         N3 = v3 + Z2_3 * Z2_3
         K3 = N3 - k7
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= D3 * v4):
+        if not (-boundary3 <= D3_squared * v4):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v5, v6 = k5 * K3, k6 * K3
 
         # theta4
@@ -274,8 +274,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (v5 + k6 * root3) * k8, k8 * (v6 - k5 * root3)
+            D3 = w3 * e3
+            s3, c3 = (v5 + k6 * D3) * k8, k8 * (v6 - k5 * D3)
 
             # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
             X1_2 = a2 + (a3 * c3 + d4 * s3)
@@ -342,8 +342,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         X1, wy = d6 * T13 - T14, d6 * T23 - T24
         N1 = X1 * X1 + wy * wy
-        D1 = N1 - k1
-        w1, inverse1 = math.sqrt(D1), 1.0 / N1
+        D1_squared = N1 - k1
+        w1, inverse1 = math.sqrt(D1_squared), 1.0 / N1
         v1 = inverse1 * (k1 * wy)
         c1_p, c1_m, v2 = v1 - w1 * (X1 * inverse1), v1 - w1 * (inverse1 * -X1), inverse1 * (k1 * X1)
         s1_p, s1_m = v2 + w1 * (wy * inverse1), v2 + w1 * (inverse1 * -wy)
@@ -352,8 +352,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, Z2_3_p, v3 = d1 + (d6 * T33 - T34), w1 - a1, a1 + w1
         v4 = Z1_3 * Z1_3
         N3_p, N3_m = v4 + Z2_3_p * Z2_3_p, v4 + v3 * v3
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        v5, w3_p, w3_m = k4 * w1, math.sqrt(D3_p), math.sqrt(D3_m)
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, v5 = (longest3 - N3_m) * (N3_m - shortest3), k4 * w1
+        w3_p, w3_m = math.sqrt(D3_squared_p), math.sqrt(D3_squared_m)
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2_p, X1_2_m = m4 + m3 * N3_p, m4 + m3 * N3_m
@@ -395,8 +396,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D1) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or v30 <=
-            m9 or v29 <= m9 or abs(D3_p * v5) <= m2 or abs(D3_m * v5) <= m2 else kept[16 * w + k]
+            1.0 if abs(D1_squared) <= m1 or N1 <= doubt_limit_squared2 or v32 <= m9 or v31 <= m9 or
+            v30 <= m9 or v29 <= m9 or abs(D3_squared_p * v5) <= m2 or abs(D3_squared_m * v5) <= m2
+            else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, s6_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pm, s6_mp, s6_mm

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/concurrent_345.yaml. The formulas and where they come from:
  * concurrent_345.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c78e090c7343b790
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c78e090c7343b790
  * SPDX-License-Identifier: MIT
  */
 #include "concurrent_345.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c78e090c7343b790
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: c78e090c7343b790
 """concurrent_345: Arm whose axes 3, 4 and 5 meet.
 
 Inverse kinematics, generated from robots/concurrent_345.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/craig_417.yaml. The formulas and where they come from:
  * craig_417.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 0a8b7c253a33639f
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 0a8b7c253a33639f
  * SPDX-License-Identifier: MIT
  */
 #include "craig_417.h"
@@ -114,10 +114,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[2, 3] */
     const double N1 = T13 * T13 + T23 * T23;
-    const double D1 = N1 - k3;
-    const int apart1 = k5 < D1;
-    if (!(-k4 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k3;
+    const int apart1 = k5 < D1_squared;
+    if (!(-k4 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (apart1 ? N1 : k2 * sqrt(N1));
     const double v1 = T13 * k2, v2 = T23 * k2;
 
@@ -131,12 +131,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v2 - T13 * root1), s1 = -(inverse1 * (v1 + T23 * root1));
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v2 - T13 * D1), s1 = -(inverse1 * (v1 + T23 * D1));
         const double q1 = atan2(s1, c1);
 
         /* theta2 */
-        const double S2 = k2 * root1;
+        const double S2 = k2 * D1;
         const double w2 = sqrt(S2 * S2 + v4);
         const int short2 = w2 <= free_limit;
         const double v5 = 1.0 / (short2 ? 1.0 : w2);
@@ -205,10 +205,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = dhgen_sqrt_wide(D1),
-        inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2,
-        v4 = w1 * (T13 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4, v5 = inverse1 * v1,
-        v6 = w1 * (T23 * inverse1), v7 = v5 + v6, v8 = v5 - v6;
+    const dhgen_wide N1 = T13 * T13 + T23 * T23, D1_squared = N1 - k3,
+        w1 = dhgen_sqrt_wide(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = k2 * T13,
+        v2 = k2 * T23, v3 = inverse1 * v2, v4 = w1 * (T13 * inverse1), c1_p = v3 - v4,
+        c1_m = v3 + v4, v5 = inverse1 * v1, v6 = w1 * (T23 * inverse1), v7 = v5 + v6, v8 = v5 - v6;
 
     /* theta2 */
     const dhgen_wide S2 = k2 * w1, v9 = k2 * T33, v10 = v9 * v9 + S2 * S2,
@@ -276,7 +276,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v35 <= m6) | (v23 <= m2) | (v34 <= m6) | (v22 <= m2) | ((m7 < v72) &
         (v72 <= m8)) | ((m7 < v71) & (v71 <= m8)) | ((m9 < v74) & (v74 <= m10)) |
-        (dhgen_abs_wide(D1) <= m1) | (v10 <= m2) | ((m9 < v73) & (v73 <= m10)));
+        (dhgen_abs_wide(D1_squared) <= m1) | (v10 <= m2) | ((m9 < v73) & (v73 <= m10)));
 }
 
 #if DHGEN_LANES > 1
@@ -291,7 +291,7 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T13 * T13 + T23 * T23, D1 = N1 - k3, w1 = sqrt(D1),
+    const double N1 = T13 * T13 + T23 * T23, D1_squared = N1 - k3, w1 = sqrt(D1_squared),
         inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = k2 * T13, v2 = k2 * T23, v3 = inverse1 * v2;
     const dhgen_four c1 = v3 - w1 * (inverse1 * (e1 * T13));
     const double v4 = inverse1 * v1;
@@ -340,7 +340,7 @@ DHGEN_INLINE int solve_regular(
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v25 <= m6) |
         (v17 <= m2) | ((m9 < v47) & (v47 <= m10)) | ((m7 < v46) & (v46 <= m8)))) |
-        (unsigned)((fabs(D1) <= m1) | (v7 <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (v7 <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(-v5, dhgen_all_four(-S2), 0,

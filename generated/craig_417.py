@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 0a8b7c253a33639f
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 0a8b7c253a33639f
 """craig_417: Arm of exercise 4.17 in Craig, Introduction to Robotics.
 
 Inverse kinematics, generated from robots/craig_417.yaml and templates/python/solver.py.jinja.
@@ -146,11 +146,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[2, 3]
     N1 = T13 * T13 + T23 * T23
-    D1 = N1 - k3
-    apart1 = k5 < D1
-    if not (-k4 <= D1):
+    D1_squared = N1 - k3
+    apart1 = k5 < D1_squared
+    if not (-k4 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (N1 if apart1 else k2 * math.sqrt(N1))
     v1, v2 = T13 * k2, T23 * k2
 
@@ -166,12 +166,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v2 - T13 * root1), -(inverse1 * (v1 + T23 * root1))
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v2 - T13 * D1), -(inverse1 * (v1 + T23 * D1))
         q1 = _atan2(s1, c1)
 
         # theta2
-        S2 = k2 * root1
+        S2 = k2 * D1
         w2 = math.sqrt(S2 * S2 + v4)
         short2 = w2 <= free_limit
         v5 = 1.0 / (1.0 if short2 else w2)
@@ -232,8 +232,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 2: U1[2, 3]
         N1 = T13 * T13 + T23 * T23
-        D1 = N1 - k3
-        w1, inverse1, v1 = math.sqrt(D1), 1.0 / N1, k2 * T13
+        D1_squared = N1 - k3
+        w1, inverse1, v1 = math.sqrt(D1_squared), 1.0 / N1, k2 * T13
         v2 = k2 * T23
         v3, v4 = inverse1 * v2, w1 * (T13 * inverse1)
         c1_p, c1_m, v5 = v3 - v4, v3 + v4, inverse1 * v1
@@ -296,8 +296,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v35 <= m6 or v23 <= m2 or v34 <= m6 or v22 <= m2 or (m7 < v72 and v72 <= m8) or
-            (m7 < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1) <= m1 or v10 <= m2 or
-            (m9 < v73 and v73 <= m10) else kept[16 * w + k]
+            (m7 < v71 and v71 <= m8) or (m9 < v74 and v74 <= m10) or abs(D1_squared) <= m1 or v10 <=
+            m2 or (m9 < v73 and v73 <= m10) else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v78, v79, -S2
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v31, -v32, v16

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cuspidal_3r.yaml. The formulas and where they come from:
  * cuspidal_3r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: ce9aebe8c3730ef3
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: ce9aebe8c3730ef3
  * SPDX-License-Identifier: MIT
  */
 #include "cuspidal_3r.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: ce9aebe8c3730ef3
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: ce9aebe8c3730ef3
 """cuspidal_3r: Cuspidal 3R arm.
 
 Inverse kinematics, generated from robots/cuspidal_3r.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cylindrical.yaml. The formulas and where they come from:
  * cylindrical.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 97ba4b4fa6b0ae87
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 97ba4b4fa6b0ae87
  * SPDX-License-Identifier: MIT
  */
 #include "cylindrical.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 97ba4b4fa6b0ae87
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 97ba4b4fa6b0ae87
 """cylindrical: Cylindrical arm, vertical slide first.
 
 Inverse kinematics, generated from robots/cylindrical.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/cylindrical_wrist.yaml. The formulas and where they come from:
  * cylindrical_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: af40b92118c6448a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: af40b92118c6448a
  * SPDX-License-Identifier: MIT
  */
 #include "cylindrical_wrist.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: af40b92118c6448a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: af40b92118c6448a
 """cylindrical_wrist: Cylindrical arm with a spherical wrist.
 
 Inverse kinematics, generated from robots/cylindrical_wrist.yaml and

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/delta.yaml and templates/c/parallel.c.jinja.
  * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: f33bcc1b99634bba
  * SPDX-License-Identifier: MIT
  */
 #include "delta.h"
@@ -56,9 +56,9 @@ DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
 
     /* theta1 */
     const dhgen_wide X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
-        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1,
-        v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
+        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1_squared = N1 - Z1 * Z1,
+        w1 = dhgen_sqrt_wide(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1,
+        v2 = Y1 * Z1, v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
         v5 = inverse1 * v1, v6 = w1 * (Y1 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
         angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, c1_m);
 
@@ -94,10 +94,11 @@ DHGEN_INLINE dhgen_wide_mask delta_leg_drives(
     q[3] = angle2;
     kind[3] = dhgen_kind_within_wide(q[3], v12 | (0.0 < v22));
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared4) | (dhgen_abs_wide(v22) <= v24) | (dhgen_abs_wide(v21) <= v24) |
-        (dhgen_abs_wide(v19) <= v23) | (dhgen_abs_wide(v18) <= v23) | (v9 <= m3) | (v10 <= m3)) |
-        (dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m));
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1 * (merge_slack2 + 2.0 *
+        dhgen_abs_wide(Z1))) | (N1 <= doubt_limit_squared4) | (dhgen_abs_wide(v22) <= v24) |
+        (dhgen_abs_wide(v21) <= v24) | (dhgen_abs_wide(v19) <= v23) | (dhgen_abs_wide(v18) <= v23) |
+        (v9 <= m3) | (v10 <= m3)) | (dhgen_within_slack_wide(excess_p) |
+        dhgen_within_slack_wide(excess_m));
 }
 
 DHGEN_ALWAYS

@@ -7,7 +7,7 @@
  * are row-major 4 x 4 matrices of the platform in the base frame, lengths in m, angles in rad. Of a
  * pose its place alone counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: f33bcc1b99634bba
  * SPDX-License-Identifier: MIT
  */
 #ifndef DELTA_H

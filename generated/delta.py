@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: f33bcc1b99634bba
 """delta: Delta, three cranks with parallelograms.
 
 Inverse kinematics, generated from robots/delta.yaml and templates/python/parallel.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/delta.yaml. The formulas and where they come from: delta_leg.md, of
  * a leg of delta.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: f33bcc1b99634bba
  * SPDX-License-Identifier: MIT
  */
 #include "delta_leg.h"
@@ -97,11 +97,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double N1 = X1 * X1 + Y1 * Y1;
     const int free1 = N1 <= free_limit_squared4;
     const double Z1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k1));
-    const double D1 = N1 - Z1 * Z1;
+    const double D1_squared = N1 - Z1 * Z1;
     const double v1 = fabs(Z1), v2 = 2.0 * v1;
-    const int apart1 = merge_slack2 * (v2 + merge_slack2) < D1;
-    if (!(-(reach_slack2 * (v2 + reach_slack2)) < D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const int apart1 = merge_slack2 * (v2 + merge_slack2) < D1_squared;
+    if (!(-(reach_slack2 * (v2 + reach_slack2)) < D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v1 * sqrt(N1)));
     const double v3 = X1 * Z1, v4 = Y1 * Z1;
 
@@ -112,9 +112,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v4 - X1 * root1),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (v3 + Y1 * root1);
+        const double D1 = w1 * e1;
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v4 - X1 * D1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (v3 + Y1 * D1);
         const double q1 = atan2(s1, c1);
 
         /* theta2, type 2: U2[3, 4] */
@@ -164,9 +164,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
-        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1,
-        w1 = dhgen_sqrt_wide(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1,
-        v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
+        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1_squared = N1 - Z1 * Z1,
+        w1 = dhgen_sqrt_wide(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1,
+        v2 = Y1 * Z1, v3 = inverse1 * v2, v4 = w1 * (X1 * inverse1), c1_p = v3 - v4, c1_m = v3 + v4,
         v5 = inverse1 * v1, v6 = w1 * (Y1 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
         angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, c1_m);
 
@@ -204,8 +204,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[9] = angle2; q[10] = angle4 - dhgen_signed_wide(DHGEN_HALF_TURN, Y2_m); q[11] = q3_mm;
     kind[3] = dhgen_kind_within_wide(q[9], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared4) | (v9 <= m3) | (v10 <= m3)) |
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1 * (merge_slack2 + 2.0 *
+        dhgen_abs_wide(Z1))) | (N1 <= doubt_limit_squared4) | (v9 <= m3) | (v10 <= m3)) |
         (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
         dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
@@ -226,8 +226,9 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double X1 = crank * T24 * 2.0, Y1 = 2.0 * (crank * T14), N1 = X1 * X1 + Y1 * Y1,
-        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1 = N1 - Z1 * Z1, w1 = sqrt(D1),
-        inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1, v3 = inverse1 * v2;
+        Z1 = T14 * T14 + (T24 * T24 + (k1 + T34 * T34)), D1_squared = N1 - Z1 * Z1,
+        w1 = sqrt(D1_squared), inverse1 = DHGEN_QUOTIENT(1.0, N1), v1 = X1 * Z1, v2 = Y1 * Z1,
+        v3 = inverse1 * v2;
     const dhgen_four c1 = v3 - w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * v1;
     const dhgen_four s1 = v4 + w1 * (inverse1 * (e1 * Y1));
@@ -243,8 +244,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v12 = v11 * (m4 * -v9);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
-        (v7 <= m3)) | (unsigned)((N1 <= doubt_limit_squared4) | (fabs(D1) <= m1 * (merge_slack2 +
-        2.0 * fabs(Z1)))))
+        (v7 <= m3)) | (unsigned)((N1 <= doubt_limit_squared4) | (fabs(D1_squared) <= m1 *
+        (merge_slack2 + 2.0 * fabs(Z1)))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, Y2, 0, 5, 2, 7),

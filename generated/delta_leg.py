@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: f33bcc1b99634bba
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: f33bcc1b99634bba
 """delta_leg: Delta, three cranks with parallelograms: a leg.
 
 Inverse kinematics, generated from robots/delta.yaml and templates/python/solver.py.jinja.
@@ -132,13 +132,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     N1 = X1 * X1 + Y1 * Y1
     free1 = N1 <= free_limit_squared4
     Z1 = T14 * T14 + (T24 * T24 + (T34 * T34 + k1))
-    D1 = N1 - Z1 * Z1
+    D1_squared = N1 - Z1 * Z1
     v1 = abs(Z1)
     v2 = 2.0 * v1
-    apart1 = merge_slack2 * (v2 + merge_slack2) < D1
-    if not (-(reach_slack2 * (v2 + reach_slack2)) < D1):
+    apart1 = merge_slack2 * (v2 + merge_slack2) < D1_squared
+    if not (-(reach_slack2 * (v2 + reach_slack2)) < D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v1 * math.sqrt(N1)))
     v3, v4 = X1 * Z1, Y1 * Z1
 
@@ -150,9 +150,9 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v4 - X1 * root1)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (v3 + Y1 * root1)
+        D1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v4 - X1 * D1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (v3 + Y1 * D1)
         q1 = _atan2(s1, c1)
 
         # theta2, type 2: U2[3, 4]
@@ -194,8 +194,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: the squared length of column 4 of U1
         X1, Y1 = crank * T24 * 2.0, 2.0 * (crank * T14)
         N1, Z1 = X1 * X1 + Y1 * Y1, T14 * T14 + (T24 * T24 + (k1 + T34 * T34))
-        D1 = N1 - Z1 * Z1
-        w1, inverse1, v1 = math.sqrt(D1), 1.0 / N1, X1 * Z1
+        D1_squared = N1 - Z1 * Z1
+        w1, inverse1, v1 = math.sqrt(D1_squared), 1.0 / N1, X1 * Z1
         v2 = Y1 * Z1
         v3, v4 = inverse1 * v2, w1 * (X1 * inverse1)
         c1_p, c1_m, v5 = v3 - v4, v3 + v4, inverse1 * v1
@@ -214,8 +214,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D1) <= m1 * (merge_slack2 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared4 or
-            v9 <= m3 or v10 <= m3 else kept[16 * w + k]
+            1.0 if abs(D1_squared) <= m1 * (merge_slack2 + 2.0 * abs(Z1)) or N1 <=
+            doubt_limit_squared4 or v9 <= m3 or v10 <= m3 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y2_p, Y2_m, v11
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = s1_p, s1_m, Y2_p

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: dde60b298a8ee644
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: dde60b298a8ee644
 """denso_vs060: Denso VS-060.
 
 Inverse kinematics, generated from robots/denso_vs060.yaml and templates/python/solver.py.jinja.
@@ -212,16 +212,16 @@ def _solve(pose, q_free, seed, moved, q, status):
         factor1 = e1 / divisor1
         c1 = math.cos(v1) if free1 else -(X1 * factor1)
         s1 = math.sin(v1) if free1 else wy * factor1
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta3
-        N3 = v2 + root1 * root1
+        N3 = v2 + D1 * D1
         K3 = N3 - k3
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
@@ -241,14 +241,14 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (k2 * root3 - v3) * k4, k4 * (v4 + k1 * root3)
+            D3 = w3 * e3
+            s3, c3 = (k2 * D3 - v3) * k4, k4 * (v4 + k1 * D3)
 
             # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
             X1_2 = a2 + (a3 * c3 - d4 * s3)
             Y1_2 = d4 * c3 + a3 * s3
-            S2 = Z1_3 * X1_2 - root1 * Y1_2
-            C2 = root1 * X1_2 + Z1_3 * Y1_2
+            S2 = Z1_3 * X1_2 - D1 * Y1_2
+            C2 = D1 * X1_2 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             factor2 = 1.0 / w2
             c2, s2 = C2 * factor2, S2 * factor2
@@ -314,8 +314,8 @@ def _formulas(kept, turns, rows, w):
         # theta3, type 6: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
         N3 = v1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v3, v4, v5 = w3 - w3, m4 - m5 * N3, m3 * w3
         s3_p, s3_m, v6 = v4 + v5, v4 - v5, m3 * N3 - m6
         v7 = m5 * w3
@@ -354,8 +354,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D3) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21 <= m9
-            else kept[16 * w + k]
+            1.0 if abs(D3_squared) <= m2 or v1 <= m1 or v23 <= m9 or v22 <= m9 or v20 <= m9 or v21
+            <= m9 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = wy, v3, v24
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v25, v30, v31

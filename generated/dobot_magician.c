@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/dobot_magician.yaml. The formulas and where they come from:
  * dobot_magician.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 45a194be1a673098
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 45a194be1a673098
  * SPDX-License-Identifier: MIT
  */
 #include "dobot_magician.h"
@@ -120,20 +120,20 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1),
             s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta3 */
-        const double N3 = v1 + root1 * root1;
+        const double N3 = v1 + D1 * D1;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
         const double Y1_2 = a2 + a3 * c3;
-        const double v3 = Z1_3 * Y1_2, v4 = root1 * Y1_2;
+        const double v3 = Z1_3 * Y1_2, v4 = D1 * Y1_2;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -143,7 +143,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double v2 = a3 * s3;
-            const double S2 = root1 * v2 - v3;
+            const double S2 = D1 * v2 - v3;
             const double v5 = Z1_3 * v2 + v4;
             const double w2 = sqrt(S2 * S2 + v5 * v5);
             const double factor2 = 1.0 / w2;
@@ -185,7 +185,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v2 = w3 - w3;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v2 = w3 - w3;
 
     /* theta2 */
     const dhgen_wide v3 = m5 - m4 * N3, v4 = Z1_3 * v3, v5 = w3 * (m4 * Z1_3),
@@ -221,7 +222,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[9] = q1_mp; q[10] = q2_mm; q[11] = q3_mm;
     kind[3] = dhgen_kind_within_wide(q[9], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3) <= m3)) |
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3_squared) <= m3)) |
         (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
         dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
@@ -244,15 +245,15 @@ DHGEN_INLINE int solve_regular(
     const double v1 = T14 * T14 + T24 * T24, w1 = sqrt(v1), v2 = copysign(DHGEN_HALF_TURN, -T24);
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v3 = w3 - w3;
+    const double Z1_3 = T34 - d1, N3 = v1 + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v3 = w3 - w3;
 
     /* theta2 */
     const double v4 = m5 - m4 * N3, v5 = Z1_3 * v4;
     const dhgen_four v6 = w3 * (m4 * (e3 * Z1_3)), v7 = w1 * (e1 * -v4);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+        (unsigned)((v1 <= m1) | (fabs(D3_squared) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T24, w3, -T24, -T24),

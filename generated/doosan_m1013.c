@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/doosan_m1013.yaml. The formulas and where they come from:
  * doosan_m1013.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5a29c1d4b7863845
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5a29c1d4b7863845
  * SPDX-License-Identifier: MIT
  */
 #include "doosan_m1013.h"
@@ -146,10 +146,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
     const double v2 = X1 * d2, v3 = wy * d2;
@@ -166,22 +166,22 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
+        const double D1 = w1 * e1;
+        const double c1 = -(inverse1 * (v3 + X1 * D1)), s1 = inverse1 * (wy * D1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v4 + root1 * root1;
+        const double N3 = v4 + D1 * D1;
         const double K3 = N3 - k6;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double s3 = k5 * K3 * k7;
 
         /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
         const double X1_2 = a2 + d4 * s3;
-        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = D1 * X1_2;
 
         /* theta4 */
         const double v9 = T13 * c1 + T23 * s1;
@@ -200,7 +200,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double Y1_2 = d4 * v5;
-            const double S2 = v6 - root1 * Y1_2;
+            const double S2 = v6 - D1 * Y1_2;
             const double C2 = v7 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const double factor2 = 1.0 / w2;
@@ -267,16 +267,16 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (d2 * wy), v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1),
-        v5 = inverse1 * (d2 * X1), s1_p = w1 * (wy * inverse1) - v5,
-        s1_m = w1 * (inverse1 * -wy) - v5;
+    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = dhgen_sqrt_wide(D1_squared), v1 = w1 - w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d2 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5;
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v6 = w3 - w3,
-        v7 = k5 * (N3 - k6), s3 = k7 * v7, v8 = k5 * w3, v9 = k7 * v8;
+    const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v6 = w3 - w3, v7 = k5 * (N3 - k6), s3 = k7 * v7, v8 = k5 * w3, v9 = k7 * v8;
 
     /* theta2 */
     const dhgen_wide X1_2 = a2 + d4 * s3, Y1_2 = d4 * v9, v10 = Z1_3 * X1_2, v11 = w1 * Y1_2,
@@ -373,8 +373,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
-        (v49 <= m5) | (v48 <= m5) | (v46 <= m5) | (v47 <= m5));
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared * (k4 * w1)) <= m2) |
+        (dhgen_abs_wide(D1_squared) <= m1) | (v49 <= m5) | (v48 <= m5) | (v46 <= m5) | (v47 <= m5));
 }
 
 #if DHGEN_LANES > 1
@@ -392,16 +392,17 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = sqrt(D1_squared), v1 = w1 - w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * wy);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d2 * X1);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
 
     /* theta3 */
-    const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v5 = w3 - w3, v6 = k5 * (N3 - k6),
-        s3 = k7 * v6, v7 = k5 * w3, v8 = k7 * v7;
+    const double Z1_3 = T34 - d6 * T33 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v5 = w3 - w3,
+        v6 = k5 * (N3 - k6), s3 = k7 * v6, v7 = k5 * w3, v8 = k7 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, Y1_2 = d4 * v8, v9 = Z1_3 * X1_2, v10 = w1 * Y1_2;
@@ -428,7 +429,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v36 = dhgen_signed_four(DHGEN_HALF_TURN, Y4);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v28 <= m5)) |
-        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (fabs(D3_squared * (k4 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(v6), 0, 5,

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/epson_t3.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/epson_t3.yaml. The formulas and where they come from: epson_t3.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 564f247b71bc89ac
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 564f247b71bc89ac
  * SPDX-License-Identifier: MIT
  */
 #include "epson_t3.h"
@@ -107,10 +107,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
     const double N2 = T14 * T14 + T24 * T24;
     const double K2 = N2 - k1;
-    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const double D2_squared = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double w2 = sqrt(apart2 ? D2_squared : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
@@ -176,8 +176,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide angle1 = dhgen_atan2_wide(T21, T11);
 
     /* theta2 */
-    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = dhgen_sqrt_wide(D2), angle2 = dhgen_atan2_wide(w2, N2 - k1);
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2_squared), angle2 = dhgen_atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const dhgen_wide v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
@@ -201,8 +201,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_within_wide(q[4], 0.0 < excess_m);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13
-        * T13 + v7 * v7)) | (dhgen_within_slack_wide(excess_p) | dhgen_within_slack_wide(excess_m));
+    return (exact == 0) | ((dhgen_abs_wide(D2_squared) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 *
+        T23 + T13 * T13 + v7 * v7)) | (dhgen_within_slack_wide(excess_p) |
+        dhgen_within_slack_wide(excess_m));
 }
 
 #if DHGEN_LANES > 1
@@ -217,7 +218,8 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta2 */
-    const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
+    const double N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = sqrt(D2_squared);
 
     /* theta1 */
     const double v1 = m3 + m2 * N2, v2 = T24 * v1, v3 = T14 * v1;
@@ -229,7 +231,8 @@ DHGEN_INLINE int solve_regular(
     const double q3 = w2 - w2 + T34;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)((fabs(D2) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5)))
+        (unsigned)((fabs(D2_squared) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5
+        * v5)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v2 - w2 * (m2 *

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 564f247b71bc89ac
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 564f247b71bc89ac
 """epson_t3: Epson T3.
 
 Inverse kinematics, generated from robots/epson_t3.yaml and templates/python/solver.py.jinja.
@@ -138,11 +138,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -204,8 +204,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         N2 = T14 * T14 + T24 * T24
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
@@ -220,8 +220,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D2) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7 else
-            kept[16 * w + k]
+            1.0 if abs(D2_squared) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 *
+            v7 else kept[16 * w + k]
         )
         kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = q3_p, T21, w2
         turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = v2 - v4, v2 + v4, T11

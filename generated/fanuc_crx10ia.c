@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/fanuc_crx10ia.yaml. The formulas and where they come from:
  * fanuc_crx10ia.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: b745383a2692778c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: b745383a2692778c
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_crx10ia.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: b745383a2692778c
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: b745383a2692778c
 """fanuc_crx10ia: Fanuc CRX-10iA.
 
 Inverse kinematics, generated from robots/fanuc_crx10ia.yaml and templates/python/solver.py.jinja.

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/fanuc_lrmate200id_j23.yaml. The formulas and where they come from:
  * fanuc_lrmate200id_j23.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1565c3ae04adb845
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 1565c3ae04adb845
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_lrmate200id_j23.h"
@@ -164,10 +164,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v1 = w1 * e1 + a1;
         const double N3 = v2 + v1 * v1;
         const double K3 = N3 - k3;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -183,8 +183,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (v3 + k2 * D3) * k4, c3 = k4 * (v4 - k1 * D3);
 
             /* theta2, type 3: U1[1, 4] and U1[2, 4] */
             const double X1_2 = a3 * s3 - d4 * c3;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 1565c3ae04adb845
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 1565c3ae04adb845
 """fanuc_lrmate200id_j23: Fanuc LR Mate 200iD, as its pendant counts.
 
 Inverse kinematics, generated from robots/fanuc_lrmate200id_j23.yaml and
@@ -228,11 +228,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v1 = w1 * e1 + a1
         N3 = v2 + v1 * v1
         K3 = N3 - k3
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v3, v4 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[3, 3]
@@ -249,8 +249,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (v3 + k2 * root3) * k4, k4 * (v4 - k1 * root3)
+            D3 = w3 * e3
+            s3, c3 = (v3 + k2 * D3) * k4, k4 * (v4 - k1 * D3)
 
             # theta2, type 3: U1[1, 4] and U1[2, 4]
             X1_2 = a3 * s3 - d4 * c3

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/fanuc_m710ic50.yaml. The formulas and where they come from:
  * fanuc_m710ic50.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 78a8baf20f7b61fb
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 78a8baf20f7b61fb
  * SPDX-License-Identifier: MIT
  */
 #include "fanuc_m710ic50.h"
@@ -165,10 +165,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v1 = w1 * e1 + a1;
         const double N3 = v2 + v1 * v1;
         const double K3 = N3 - k3;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v3 = k1 * K3, v4 = k2 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -184,8 +184,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (v3 + k2 * root3) * k4, c3 = k4 * (v4 - k1 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (v3 + k2 * D3) * k4, c3 = k4 * (v4 - k1 * D3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[1, 4] and U1[2, 4] */
@@ -276,9 +276,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), angle2 = dhgen_atan2_wide(w3_p, N3_p - k3),
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), angle2 = dhgen_atan2_wide(w3_p, N3_p - k3),
         angle3 = dhgen_atan2_wide(w3_m, N3_m - k3), q3__pp = angle2 - turn1, v6 = turn1 + angle2,
         q3__mp = angle3 - turn1, v7 = turn1 + angle3;
 
@@ -401,7 +402,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v35 <= m10) | (v34 <= m10) | (v33 <= m10) | (v32 <= m10) |
-        (dhgen_abs_wide(D3_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3)) |
+        (dhgen_abs_wide(D3_squared_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_squared_p) <= m3)) |
         (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
@@ -430,8 +431,8 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d6 * T31 - d1;
     const dhgen_four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3);
+    const dhgen_four N3 = v5 + v4 * v4, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared);
 
     /* theta2 */
     const dhgen_four Y1_2 = m4 * N3 - m5, v6 = Z1_3 * Y1_2, v7 = m4 * (e3 * Z1_3), v8 = v4 * -Y1_2,
@@ -456,7 +457,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v26 = e1 * (Y4 * (s2m3 * T33 - e1 * (c2m3 * v25)) + X4 * v24);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m3) | (v19 <= m10)) | (unsigned)(v1 <= m1))
+        (dhgen_abs_four(D3_squared) <= m3) | (v19 <= m10)) | (unsigned)(v1 <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(Y1), 0, 5,

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/five_bar.yaml and templates/c/parallel.c.jinja.
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from: five_bar.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e95f08d2a024264
  * SPDX-License-Identifier: MIT
  */
 #include "five_bar.h"
@@ -46,8 +46,8 @@ DHGEN_INLINE dhgen_wide_mask five_bar_leg_drives(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2 */
-    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = dhgen_sqrt_wide(D2);
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2_squared);
 
     /* theta1 */
     const dhgen_wide v1 = m2 * N2 - m3, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
@@ -58,7 +58,7 @@ DHGEN_INLINE dhgen_wide_mask five_bar_leg_drives(
     q[1] = dhgen_atan2_wide(v2 + v4, v3 - v5);
     kind[1] = dhgen_kind_wide(q[1]);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | (dhgen_abs_wide(D2) <= m1);
+    return (exact == 0) | (dhgen_abs_wide(D2_squared) <= m1);
 }
 
 DHGEN_ALWAYS

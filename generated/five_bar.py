@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e95f08d2a024264
 """five_bar: Planar five-bar linkage (RR legs).
 
 Inverse kinematics, generated from robots/five_bar.yaml and templates/python/parallel.py.jinja.

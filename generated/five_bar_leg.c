@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/five_bar.yaml. The formulas and where they come from:
  * five_bar_leg.md, of a leg of five_bar.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5e95f08d2a024264
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e95f08d2a024264
  * SPDX-License-Identifier: MIT
  */
 #include "five_bar_leg.h"
@@ -92,10 +92,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
     const double N2 = T14 * T14 + T24 * T24;
     const double K2 = N2 - k1;
-    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const double D2_squared = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double w2 = sqrt(apart2 ? D2_squared : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
@@ -141,8 +141,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2 */
-    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = dhgen_sqrt_wide(D2), angle1 = dhgen_atan2_wide(w2, N2 - k1);
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2_squared), angle1 = dhgen_atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const dhgen_wide v1 = m2 * N2 - m3, v2 = T24 * v1, v3 = T14 * v1, v4 = w2 * (m2 * T14),
@@ -153,7 +153,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[2] = dhgen_atan2_wide(v2 + v4, v3 - v5); q[3] = -angle1;
     kind[1] = dhgen_kind_wide(q[2]);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | (dhgen_abs_wide(D2) <= m1);
+    return (exact == 0) | (dhgen_abs_wide(D2_squared) <= m1);
 }
 
 #if DHGEN_LANES > 1
@@ -168,13 +168,14 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta2 */
-    const double N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
+    const double N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = sqrt(D2_squared);
 
     /* theta1 */
     const double v1 = m2 * N2 - m3, v2 = T24 * v1, v3 = T14 * v1;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7])) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)(fabs(D2) <= m1))
+        (unsigned)(fabs(D2_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v2 - w2 * (m2 * (e2 * T14)),

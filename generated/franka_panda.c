@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/franka_panda.yaml. The formulas and where they come from:
  * franka_panda.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 3bdf97d21dac1f9a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 3bdf97d21dac1f9a
  * SPDX-License-Identifier: MIT
  */
 #include "franka_panda.h"
@@ -153,11 +153,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         w2z = T13 * v1 + T23 * v2 + T33 * v3;
     const double Z4 = c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y +
         (w2z * w2z - k4)));
-    const double D4 = k3 - Z4 * Z4;
+    const double D4_squared = k3 - Z4 * Z4;
     const double v4 = 2.0 * fabs(Z4);
-    const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4;
-    if (!(-(reach_slack2 * (v4 + reach_slack2)) < D4)) return; /* out of reach */
-    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const int apart4 = merge_slack2 * (v4 + merge_slack2) < D4_squared;
+    if (!(-(reach_slack2 * (v4 + reach_slack2)) < D4_squared)) return; /* out of reach */
+    const double w4 = sqrt(apart4 ? D4_squared : 0.0);
     const double v5 = (apart4 ? w4 : least_root2) * k5, v6 = k1 * Z4, v7 = k2 * Z4;
 
     /* theta5, type 2: A7 U0^-1 A1 [3, 4] */
@@ -179,18 +179,19 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e4 = i1 == 0 ? 1.0 : -1.0;
         /* theta4 */
         if (e4 < 0.0 && !apart4) continue; /* both signs give the same */
-        const double root4 = w4 * e4;
-        const double c4 = k6 * (v7 + k1 * root4), s4 = k6 * (k2 * root4 - v6);
+        const double D4 = w4 * e4;
+        const double c4 = k6 * (v7 + k1 * D4), s4 = k6 * (k2 * D4 - v6);
         const double q4 = atan2(s4, c4);
 
         /* theta5 */
         const double v8 = a3 * c4 + d3 * s4 - a4;
         const double N5 = -v8 * -v8;
         const int free5 = N5 <= free_limit_squared2;
-        const double D5 = N5 - v9;
-        const int apart5 = v12 < D5;
-        if (!(-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5)) continue; /* out of reach */
-        const double w5 = sqrt(apart5 ? D5 : 0.0);
+        const double D5_squared = N5 - v9;
+        const int apart5 = v12 < D5_squared;
+        if (!(-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5_squared))
+            continue; /* out of reach */
+        const double w5 = sqrt(apart5 ? D5_squared : 0.0);
         const double inverse5 = 1.0 / (free5 ? 1.0 : (apart5 ? N5 : v10 * sqrt(N5)));
         const double s5 = free5 ? sin(seed[4]) : inverse5 * (-v8 * Z5);
 
@@ -296,8 +297,8 @@ static const double
         w2x = v1 * T11 + v2 * T21 + v3 * T31, w2y = v1 * T12 + v2 * T22 + v3 * T32, \
         w2z = T13 * v1 + T23 * v2 + T33 * v3, \
         Z4 = c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * \
-            w2z - k4))), D4 = k3 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4), v4 = k5 * w4, \
-        v5 = m3 * Z4, v6 = m2 * Z4; \
+            w2z - k4))), D4_squared = k3 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4_squared), \
+        v4 = k5 * w4, v5 = m3 * Z4, v6 = m2 * Z4; \
     /* theta5 */ \
     const dhgen_##number v8 = m5 + m6 * Z4, Z5 = c7 * w2y + s7 * w2x, v10 = Z5 * Z5, \
         v12 = m7 * (merge_slack1 + 2.0 * dhgen_abs_##number(Z5)); \
@@ -315,7 +316,7 @@ static const double
     const dhgen_##number c4 = v5 + w4 * (m2 * e4), s4 = w4 * (m3 * e4) - v6; \
     /* theta5 */ \
     const dhgen_##number v7 = a3 * c4 + d3 * s4 - a4, v9 = v8 - w4 * (m4 * e4), N5 = v9 * v9, \
-        D5 = N5 - v10, w5 = dhgen_sqrt_##number(D5), v11 = w5 - w5, \
+        D5_squared = N5 - v10, w5 = dhgen_sqrt_##number(D5_squared), v11 = w5 - w5, \
         inverse5 = DHGEN_QUOTIENT(1.0, N5), v13 = v9 * w5, v14 = inverse5 * v13, v15 = v9 * Z5, \
         s5 = inverse5 * v15, v16 = dhgen_signed_##number(DHGEN_HALF_TURN, v15); \
     /* theta6 */ \
@@ -359,7 +360,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta4 */
     const dhgen_wide angle1 = dhgen_atan2_wide(w4, Z4);
-    left |= (dhgen_abs_wide(D4) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z4))) | (0.0 <
+    left |= (dhgen_abs_wide(D4_squared) <= m1 * (merge_slack2 + 2.0 * dhgen_abs_wide(Z4))) | (0.0 <
         dhgen_exceeds_wide(free_joints[0], joints + 6));
 
     DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow4+, elbow4- */
@@ -375,7 +376,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         /* joint values */
         const dhgen_wide v62 = dhgen_raised_wide(q4_), v63 = dhgen_beyond_wide(v62, joints + 3),
             q4_p = v11 + v62;
-        left |= (N5 <= doubt_limit_squared2) | (dhgen_abs_wide(v4 * D5) <= v12);
+        left |= (N5 <= doubt_limit_squared2) | (dhgen_abs_wide(v4 * D5_squared) <= v12);
 
         DHGEN_UNROLLED for (int i2 = 0; i2 < 2; i2++) { /* noflip, flip */
             const double e5 = i2 == 0 ? 1.0 : -1.0;
@@ -442,9 +443,9 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((N5 <= doubt_limit_squared2) | (dhgen_abs_four(v4 * D5) <= v12)) | ((v24 <= m10) |
-        (v38 <= m11))) | (unsigned)((fabs(D4) <= m1 * (merge_slack2 + 2.0 * fabs(Z4))) | (0.0 <
-        fabs(free_joints[0]) - dhgen_high(joints + 6))))
+        == 0) | ((N5 <= doubt_limit_squared2) | (dhgen_abs_four(v4 * D5_squared) <= v12)) | ((v24 <=
+        m10) | (v38 <= m11))) | (unsigned)((fabs(D4_squared) <= m1 * (merge_slack2 + 2.0 *
+        fabs(Z4))) | (0.0 < fabs(free_joints[0]) - dhgen_high(joints + 6))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v15, dhgen_all_four(w4), 0,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 3bdf97d21dac1f9a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 3bdf97d21dac1f9a
 """franka_panda: Franka Emika Panda.
 
 Inverse kinematics, generated from robots/franka_panda.yaml and templates/python/solver.py.jinja.
@@ -221,12 +221,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         c7 * (2.0 * (w2x * a6)) - s7 * (2.0 * (w2y * a6)) + (w2x * w2x + (w2y * w2y + (w2z * w2z -
         k4)))
     )
-    D4 = k3 - Z4 * Z4
+    D4_squared = k3 - Z4 * Z4
     v4 = 2.0 * abs(Z4)
-    apart4 = merge_slack2 * (v4 + merge_slack2) < D4
-    if not (-(reach_slack2 * (v4 + reach_slack2)) < D4):
+    apart4 = merge_slack2 * (v4 + merge_slack2) < D4_squared
+    if not (-(reach_slack2 * (v4 + reach_slack2)) < D4_squared):
         return  # out of reach
-    w4 = math.sqrt(D4 if apart4 else 0.0)
+    w4 = math.sqrt(D4_squared if apart4 else 0.0)
     v5 = (w4 if apart4 else least_root2) * k5
     v6, v7 = k1 * Z4, k2 * Z4
 
@@ -251,19 +251,19 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta4
         if e4 < 0.0 and not apart4:
             continue  # both signs give the same
-        root4 = w4 * e4
-        c4, s4 = k6 * (v7 + k1 * root4), k6 * (k2 * root4 - v6)
+        D4 = w4 * e4
+        c4, s4 = k6 * (v7 + k1 * D4), k6 * (k2 * D4 - v6)
         q4 = _atan2(s4, c4)
 
         # theta5
         v8 = a3 * c4 + d3 * s4 - a4
         N5 = -v8 * -v8
         free5 = N5 <= free_limit_squared2
-        D5 = N5 - v9
-        apart5 = v12 < D5
-        if not (-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5):
+        D5_squared = N5 - v9
+        apart5 = v12 < D5_squared
+        if not (-(reach_slack1 * (v11 + reach_slack1)) < v5 * D5_squared):
             continue  # out of reach
-        w5 = math.sqrt(D5 if apart5 else 0.0)
+        w5 = math.sqrt(D5_squared if apart5 else 0.0)
         inverse5 = 1.0 / (1.0 if free5 else (N5 if apart5 else v10 * math.sqrt(N5)))
         s5 = math.sin(seed[4]) if free5 else inverse5 * (-v8 * Z5)
 
@@ -380,8 +380,8 @@ def _formulas(kept, turns, rows, w):
             c7 * (2.0 * (a6 * w2x)) - s7 * (2.0 * (a6 * w2y)) + (w2x * w2x + (w2y * w2y + (w2z * w2z
             - k4)))
         )
-        D4 = k3 - Z4 * Z4
-        w4 = math.sqrt(D4)
+        D4_squared = k3 - Z4 * Z4
+        w4 = math.sqrt(D4_squared)
         v4, v5, v6 = k5 * w4, m3 * Z4, m2 * w4
         c4_p, c4_m, v7 = v5 + v6, v5 - v6, m2 * Z4
         v8 = m3 * w4
@@ -393,8 +393,8 @@ def _formulas(kept, turns, rows, w):
         v15, v16 = v13 - v14, v13 + v14
         N5_p, N5_m, Z5 = v15 * v15, v16 * v16, c7 * w2y + s7 * w2x
         v17 = Z5 * Z5
-        D5_p, D5_m = N5_p - v17, N5_m - v17
-        w5_p, w5_m = math.sqrt(D5_p), math.sqrt(D5_m)
+        D5_squared_p, D5_squared_m = N5_p - v17, N5_m - v17
+        w5_p, w5_m = math.sqrt(D5_squared_p), math.sqrt(D5_squared_m)
         v18, v19, v20 = w5_p - w5_p, w5_m - w5_m, m7 * (merge_slack1 + 2.0 * abs(Z5))
         inverse5_p, inverse5_m, v21 = 1.0 / N5_p, 1.0 / N5_m, v15 * w5_p
         v22, v23 = v16 * w5_m, inverse5_p * v21
@@ -478,9 +478,10 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
             1.0 if v74 <= m11 or v44 <= m10 or v73 <= m11 or v43 <= m10 or v72 <= m11 or v42 <= m10
-            or v71 <= m11 or v41 <= m10 or abs(v4 * D5_m) <= v20 or N5_m <= doubt_limit_squared2 or
-            abs(v4 * D5_p) <= v20 or abs(D4) <= m1 * (merge_slack2 + 2.0 * abs(Z4)) or 0.0 <
-            abs(given1) - high7 or N5_p <= doubt_limit_squared2 else kept[17 * w + k]
+            or v71 <= m11 or v41 <= m10 or abs(v4 * D5_squared_m) <= v20 or N5_m <=
+            doubt_limit_squared2 or abs(v4 * D5_squared_p) <= v20 or abs(D4_squared) <= m1 *
+            (merge_slack2 + 2.0 * abs(Z4)) or 0.0 < abs(given1) - high7 or N5_p <=
+            doubt_limit_squared2 else kept[17 * w + k]
         )
         kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v18, v19, v25
         kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v26, v67, v68

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/gantry_wrist.yaml. The formulas and where they come from:
  * gantry_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1ede0a2831d661a5
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 1ede0a2831d661a5
  * SPDX-License-Identifier: MIT
  */
 #include "gantry_wrist.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 1ede0a2831d661a5
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 1ede0a2831d661a5
 """gantry_wrist: Gantry with a spherical wrist.
 
 Inverse kinematics, generated from robots/gantry_wrist.yaml and templates/python/solver.py.jinja.

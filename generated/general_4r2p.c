@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_4r2p.yaml. The formulas and where they come from:
  * general_4r2p.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 008cfb16c5fc4c47
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 008cfb16c5fc4c47
  * SPDX-License-Identifier: MIT
  */
 #include "general_4r2p.h"

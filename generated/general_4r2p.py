@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 008cfb16c5fc4c47
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 008cfb16c5fc4c47
 """general_4r2p: General arm with four revolute joints and two slides.
 
 Inverse kinematics, generated from robots/general_4r2p.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_5r.yaml. The formulas and where they come from:
  * general_5r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 18f2b87bcd3b3853
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 18f2b87bcd3b3853
  * SPDX-License-Identifier: MIT
  */
 #include "general_5r.h"

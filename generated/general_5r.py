@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 18f2b87bcd3b3853
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 18f2b87bcd3b3853
 """general_5r: Five revolute joints without structure, for whole poses.
 
 Inverse kinematics, generated from robots/general_5r.yaml and templates/python/solver.py.jinja.

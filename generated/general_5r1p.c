@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_5r1p.yaml. The formulas and where they come from:
  * general_5r1p.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 738c8e4d5ce8ab8a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 738c8e4d5ce8ab8a
  * SPDX-License-Identifier: MIT
  */
 #include "general_5r1p.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 738c8e4d5ce8ab8a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 738c8e4d5ce8ab8a
 """general_5r1p: General arm with five revolute joints and a slide.
 
 Inverse kinematics, generated from robots/general_5r1p.yaml and templates/python/solver.py.jinja.

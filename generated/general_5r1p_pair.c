@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_5r1p_pair.yaml. The formulas and where they come from:
  * general_5r1p_pair.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 036ddc2d948f0596
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 036ddc2d948f0596
  * SPDX-License-Identifier: MIT
  */
 #include "general_5r1p_pair.h"

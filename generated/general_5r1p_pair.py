@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 036ddc2d948f0596
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 036ddc2d948f0596
 """general_5r1p_pair: Arm on a rail with two parallel axes among five skew or meeting ones.
 
 Inverse kinematics, generated from robots/general_5r1p_pair.yaml and

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/general_5r_pointing.yaml. The formulas and where they come from:
  * general_5r_pointing.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 82d1215b192f66ab
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 82d1215b192f66ab
  * SPDX-License-Identifier: MIT
  */
 #include "general_5r_pointing.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 82d1215b192f66ab
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 82d1215b192f66ab
 """general_5r_pointing: Five revolute joints without structure, for a tool that points.
 
 Inverse kinematics, generated from robots/general_5r_pointing.yaml and

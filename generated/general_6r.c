@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_6r.yaml. The formulas and where they come from:
  * general_6r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8f549a90cc09d617
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 8f549a90cc09d617
  * SPDX-License-Identifier: MIT
  */
 #include "general_6r.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8f549a90cc09d617
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 8f549a90cc09d617
 """general_6r: General arm with six revolute joints.
 
 Inverse kinematics, generated from robots/general_6r.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_prrprr.yaml. The formulas and where they come from:
  * general_prrprr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 9a144b007677e152
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 9a144b007677e152
  * SPDX-License-Identifier: MIT
  */
 #include "general_prrprr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 9a144b007677e152
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 9a144b007677e152
 """general_prrprr: General arm with slides as joints 1 and 4.
 
 Inverse kinematics, generated from robots/general_prrprr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/general_rpprrr.yaml. The formulas and where they come from:
  * general_rpprrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8e126e041fd99fc0
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 8e126e041fd99fc0
  * SPDX-License-Identifier: MIT
  */
 #include "general_rpprrr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8e126e041fd99fc0
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 8e126e041fd99fc0
 """general_rpprrr: General arm with an oblique cross slide on its first axis.
 
 Inverse kinematics, generated from robots/general_rpprrr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/katana_400.yaml. The formulas and where they come from:
  * katana_400.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1b08c7fc3b36b795
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 1b08c7fc3b36b795
  * SPDX-License-Identifier: MIT
  */
 #include "katana_400.h"
@@ -171,13 +171,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double Z2_3 = T14 * c1 + T24 * s1 - v8;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -269,9 +269,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta3 */
     const dhgen_wide v8 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v8,
         v9 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v9,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_wide(D3), v10 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3,
-        angle4 = dhgen_atan2_wide(w3, K3);
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v10 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3, angle4 = dhgen_atan2_wide(w3, K3);
 
     /* theta2 */
     const dhgen_wide X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v11 = Z1_3 * X1_2, v12 = Z2_3 * Y1_2,
@@ -340,10 +340,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[15]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v4 <= m3) | (dhgen_abs_wide(D3) <= m4) | (m9 <
-        v42 * v42 + v43 * v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47) | ((m10 < v65) & (v65
-        <= m11)) | ((m10 < v64) & (v64 <= m11)) | ((m10 < v62) & (v62 <= m11)) | ((m10 < v63) & (v63
-        <= m11)));
+    return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v4 <= m3) | (dhgen_abs_wide(D3_squared) <= m4)
+        | (m9 < v42 * v42 + v43 * v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47) | ((m10 <
+        v65) & (v65 <= m11)) | ((m10 < v64) & (v64 <= m11)) | ((m10 < v62) & (v62 <= m11)) | ((m10 <
+        v63) & (v63 <= m11)));
 }
 
 #if DHGEN_LANES > 1
@@ -380,8 +380,9 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const double v11 = factor234 * (d5 * T33), Z1_3 = T34 - d1 - v11,
         v12 = factor234 * (d5 * Z2_234), Z2_3 = T14 * c1 + T24 * s1 - v12,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v13 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, K3 = N3 - k1,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v13 = w3 - w3,
+        s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double X1_2 = a2 + a3 * c3, Y1_2 = a3 * s3, v14 = Z1_3 * X1_2, v15 = Z2_3 * Y1_2;
@@ -412,7 +413,7 @@ DHGEN_INLINE int solve_regular(
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m10 < v43) &
         (v43 <= m11))) | (unsigned)((v5 <= m3) | (v1 <= m1) | (v6 <= m3) | (m9 < v34 * v34 + v35 *
-        v35 + v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39) | (fabs(D3) <= m4)))
+        v35 + v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39) | (fabs(D3_squared) <= m4)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, -Z2_234, -Z2_5, w3),

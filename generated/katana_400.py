@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 1b08c7fc3b36b795
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 1b08c7fc3b36b795
 """katana_400: Neuronics Katana 400.
 
 Inverse kinematics, generated from robots/katana_400.yaml and templates/python/solver.py.jinja.
@@ -211,14 +211,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         Z2_3 = T14 * c1 + T24 * s1 - v8
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if free1:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -308,8 +308,8 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v9 = T34 - d1 - v8, factor234 * (d5 * Z2_234)
         Z2_3 = T14 * c1 + T24 * s1 - v9
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-        K3, D3 = N3 - k1, (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        K3, D3_squared = N3 - k1, (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v10, s3, c3 = w3 - w3, k2 * w3, k2 * K3
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -361,10 +361,10 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3) <= m4 or m9 < v42 * v42 + v43 * v43 +
-            v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47 or (m10 < v65 and v65 <= m11) or (m10 <
-            v64 and v64 <= m11) or (m10 < v62 and v62 <= m11) or (m10 < v63 and v63 <= m11) else
-            kept[16 * w + k]
+            1.0 if v3 <= m3 or v1 <= m1 or v4 <= m3 or abs(D3_squared) <= m4 or m9 < v42 * v42 + v43
+            * v43 + v44 * v44 + v45 * v45 + v46 * v46 + v47 * v47 or (m10 < v65 and v65 <= m11) or
+            (m10 < v64 and v64 <= m11) or (m10 < v62 and v62 <= m11) or (m10 < v63 and v63 <= m11)
+            else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v10
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v75, v76, v77

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kawasaki_rs007n.yaml. The formulas and where they come from:
  * kawasaki_rs007n.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 507a4b68dffe081d
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 507a4b68dffe081d
  * SPDX-License-Identifier: MIT
  */
 #include "kawasaki_rs007n.h"
@@ -163,20 +163,20 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         if (e1 < 0.0 && free1) continue; /* both signs give the same */
         const double factor1 = e1 / divisor1;
         const double c1 = free1 ? cos(v1) : -(X1 * factor1), s1 = free1 ? sin(v1) : wy * factor1;
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta3 */
-        const double N3 = v2 + root1 * root1;
+        const double N3 = v2 + D1 * D1;
         const double K3 = N3 - k2;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double s3 = k1 * K3 * k3;
 
         /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
         const double X1_2 = a2 + d4 * s3;
-        const double v4 = Z1_3 * X1_2, v5 = root1 * X1_2;
+        const double v4 = Z1_3 * X1_2, v5 = D1 * X1_2;
 
         /* theta4 */
         const double v7 = T13 * c1 - T23 * s1, v9 = T23 * c1 + T13 * s1, v10 = v9 * v9;
@@ -196,7 +196,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double X2_2 = d4 * v3;
-            const double S2 = v4 + root1 * X2_2;
+            const double S2 = v4 + D1 * X2_2;
             const double C2 = v5 - Z1_3 * X2_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const double factor2 = 1.0 / w2;
@@ -272,8 +272,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v4 = w3 - w3,
-        v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v4 = w3 - w3, v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const dhgen_wide X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2,
@@ -393,8 +393,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m2) | (v1 <= m1) | (v51 <= m5) | (v50 <= m5) |
-        (v48 <= m5) | (v49 <= m5)) | (dhgen_within_slack_wide(excess_mmm) |
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared) <= m2) | (v1 <= m1) | (v51 <= m5) | (v50 <=
+        m5) | (v48 <= m5) | (v49 <= m5)) | (dhgen_within_slack_wide(excess_mmm) |
         dhgen_within_slack_wide(excess_mmp) | dhgen_within_slack_wide(excess_mpm) |
         dhgen_within_slack_wide(excess_mpp) | dhgen_within_slack_wide(excess_pmm) |
         dhgen_within_slack_wide(excess_pmp) | dhgen_within_slack_wide(excess_ppp) |
@@ -421,8 +421,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta3 */
     const double Z1_3 = d1 + (d6 * T33 - T34), N3 = v1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k1 * (N3 - k2),
-        s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v4 = w3 - w3,
+        v5 = k1 * (N3 - k2), s3 = k3 * v5, v6 = k1 * w3, v7 = k3 * v6;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * s3, X2_2 = d4 * v7, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
@@ -453,7 +453,7 @@ DHGEN_INLINE int solve_regular(
         v46 = e1 * (v31 * (v26 * v34 - v27 * (v24 * T31 - e1 * (c2m3 * v35))));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v30 <= m5)) |
-        (unsigned)((v1 <= m1) | (fabs(D3) <= m2)))
+        (unsigned)((v1 <= m1) | (fabs(D3_squared) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(wy, v5, wy, wy),

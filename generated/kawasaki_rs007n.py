@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 507a4b68dffe081d
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 507a4b68dffe081d
 """kawasaki_rs007n: Kawasaki RS007N.
 
 Inverse kinematics, generated from robots/kawasaki_rs007n.yaml and templates/python/solver.py.jinja.
@@ -211,21 +211,21 @@ def _solve(pose, q_free, seed, moved, q, status):
         factor1 = e1 / divisor1
         c1 = math.cos(v1) if free1 else -(X1 * factor1)
         s1 = math.sin(v1) if free1 else wy * factor1
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta3
-        N3 = v2 + root1 * root1
+        N3 = v2 + D1 * D1
         K3 = N3 - k2
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         s3 = k1 * K3 * k3
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2 = a2 + d4 * s3
-        v4, v5 = Z1_3 * X1_2, root1 * X1_2
+        v4, v5 = Z1_3 * X1_2, D1 * X1_2
 
         # theta4
         v7, v9 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
@@ -247,7 +247,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             X2_2 = d4 * v3
-            S2 = v4 + root1 * X2_2
+            S2 = v4 + D1 * X2_2
             C2 = v5 - Z1_3 * X2_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             factor2 = 1.0 / w2
@@ -317,8 +317,8 @@ def _formulas(kept, turns, rows, w):
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = d1 + (d6 * T33 - T34)
         N3 = v1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v4, v5 = w3 - w3, k1 * (N3 - k2)
         s3, v6 = k3 * v5, k1 * w3
         v7 = k3 * v6
@@ -367,8 +367,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D3) <= m2 or v1 <= m1 or v51 <= m5 or v50 <= m5 or v48 <= m5 or v49 <= m5
-            else kept[16 * w + k]
+            1.0 if abs(D3_squared) <= m2 or v1 <= m1 or v51 <= m5 or v50 <= m5 or v48 <= m5 or v49
+            <= m5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = wy, v4, v5
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c2m3_mp, c2m3_mm, v38

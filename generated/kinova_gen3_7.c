@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_gen3_7.yaml. The formulas and where they come from:
  * kinova_gen3_7.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 24c1f9395bc7745f
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 24c1f9395bc7745f
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_gen3_7.h"
@@ -296,8 +296,9 @@ static const double
     /* theta4 */ \
     const dhgen_##number X4 = near_d5 * (near_d2 * s3) * 2.0, N4 = near_k2 + X4 * X4, \
         v2 = T14 * T14, v3 = T24 * T24, Z4 = near_k3 * c3 + (v2 + (v3 + (T34 * T34 - near_k4))), \
-        D4 = N4 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4), inverse4 = DHGEN_QUOTIENT(1.0, N4), \
-        v4 = X4 * Z4, v5 = inverse4 * v4, v7 = inverse4 * (near_k1 * Z4); \
+        D4_squared = N4 - Z4 * Z4, w4 = dhgen_sqrt_##number(D4_squared), \
+        inverse4 = DHGEN_QUOTIENT(1.0, N4), v4 = X4 * Z4, v5 = inverse4 * v4, \
+        v7 = inverse4 * (near_k1 * Z4); \
     /* theta1 */ \
     const dhgen_##number N1 = v2 + v3, v10 = near_d5 * s3, v11 = near_d4 * c3 - near_d2, \
         v12 = near_k5 * w4, inverse1 = DHGEN_QUOTIENT(1.0, N1); \
@@ -365,9 +366,10 @@ static const double
     const dhgen_##number v6 = near_m2 * (e4 * inverse4), s4 = v5 - w4 * v6, \
         v8 = inverse4 * (e4 * X4), v9 = v7 + w4 * v8; \
     /* theta1 */ \
-    const dhgen_##number Z1 = v11 - s4 * v10, D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_##number(D1), \
-        v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), v15 = near_blur_slack1 + 2.0 * v14, \
-        v16 = T14 * Z1, v17 = T24 * Z1, v20 = inverse1 * v17, v23 = inverse1 * v16; \
+    const dhgen_##number Z1 = v11 - s4 * v10, D1_squared = N1 - Z1 * Z1, \
+        w1 = dhgen_sqrt_##number(D1_squared), v13 = w1 - w1, v14 = dhgen_abs_##number(Z1), \
+        v15 = near_blur_slack1 + 2.0 * v14, v16 = T14 * Z1, v17 = T24 * Z1, v20 = inverse1 * v17, \
+        v23 = inverse1 * v16; \
     /* theta2 */ \
     const dhgen_##number v26 = near_d3 + near_d5 * v9, \
         v29 = near_m2 * (inverse4 * (v24 * (e4 * T34))), v30 = v28 - w4 * v29, v31 = w1 * v26, \
@@ -587,9 +589,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] + free_joints[0])
         <= DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
-    left |= (dhgen_abs_wide(N1) <= v102) | (dhgen_abs_wide(v114 + (D4 + D4)) <= v114) |
-        (dhgen_abs_wide(v90) <= 2.0 * v109) | (N1 <= near_doubt_limit_squared2) |
-        (dhgen_abs_wide(D4) <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4);
+    left |= (dhgen_abs_wide(N1) <= v102) | (dhgen_abs_wide(v114 + (D4_squared + D4_squared)) <=
+        v114) | (dhgen_abs_wide(v90) <= 2.0 * v109) | (N1 <= near_doubt_limit_squared2) |
+        (dhgen_abs_wide(D4_squared) <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4);
 
     for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e4 = i1 == 0 ? 1.0 : -1.0;
@@ -597,8 +599,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
         /* joint values */
         const dhgen_wide angle6 = dhgen_atan2_wide(s4, -v9), q4_p = v13 + angle6;
-        left |= (dhgen_abs_wide(v151 + (D1 + D1)) <= v151) | (dhgen_abs_wide(v15) <= 2.0 * v146) |
-            (dhgen_abs_wide(D1 * v12) <= near_m3 * v15);
+        left |= (dhgen_abs_wide(v151 + (D1_squared + D1_squared)) <= v151) | (dhgen_abs_wide(v15) <=
+            2.0 * v146) | (dhgen_abs_wide(D1_squared * v12) <= near_m3 * v15);
 
         for (int i2 = 0; i2 < 2; i2++) { /* shoulder+, shoulder- */
             const double e1 = i2 == 0 ? 1.0 : -1.0;
@@ -654,12 +656,12 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((dhgen_abs_four(v151 + (D1 + D1)) <= v151) | (dhgen_abs_four(v15) <= 2.0 * v146) |
-        (dhgen_abs_four(D1 * v12) <= near_m3 * v15)) | ((dhgen_abs_four(v59) <= v440 * v440 + v471 *
-        v471) | (dhgen_abs_four(v35) <= v213) | (v59 <= near_m5) | (v35 <= near_m4))) |
-        (unsigned)((fabs(N1) <= v102) | (fabs(v114 + (D4 + D4)) <= v114) | (fabs(v90) <= 2.0 * v109)
-        | (N1 <= near_doubt_limit_squared2) | (fabs(D4) <= near_m1 * v90) | (N4 <=
-        near_doubt_limit_squared4)))
+        == 0) | ((dhgen_abs_four(v151 + (D1_squared + D1_squared)) <= v151) | (dhgen_abs_four(v15)
+        <= 2.0 * v146) | (dhgen_abs_four(D1_squared * v12) <= near_m3 * v15)) |
+        ((dhgen_abs_four(v59) <= v440 * v440 + v471 * v471) | (dhgen_abs_four(v35) <= v213) | (v59
+        <= near_m5) | (v35 <= near_m4))) | (unsigned)((fabs(N1) <= v102) | (fabs(v114 + (D4_squared
+        + D4_squared)) <= v114) | (fabs(v90) <= 2.0 * v109) | (N1 <= near_doubt_limit_squared2) |
+        (fabs(D4_squared) <= near_m1 * v90) | (N4 <= near_doubt_limit_squared4)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(s4, -v9),

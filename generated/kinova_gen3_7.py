@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 24c1f9395bc7745f
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 24c1f9395bc7745f
 """kinova_gen3_7: Kinova Gen3 with 7 joints.
 
 Inverse kinematics, generated from robots/kinova_gen3_7.yaml and templates/python/solver.py.jinja.
@@ -396,8 +396,8 @@ def _formulas(kept, turns, rows, w):
         # theta4, type 2: the squared length of column 4 of U0
         X4 = near_d5 * (near_d2 * s3) * 2.0
         N4, Z4 = near_k2 + X4 * X4, near_k3 * c3 + (v2 + (v3 + (T34 * T34 - near_k4)))
-        D4 = N4 - Z4 * Z4
-        w4, inverse4, v4 = math.sqrt(D4), 1.0 / N4, X4 * Z4
+        D4_squared = N4 - Z4 * Z4
+        w4, inverse4, v4 = math.sqrt(D4_squared), 1.0 / N4, X4 * Z4
         v5, v6 = inverse4 * v4, near_m2 * inverse4
         v7 = w4 * v6
         s4_p, s4_m, v8 = v5 - v7, v5 + v7, inverse4 * (near_k1 * Z4)
@@ -408,8 +408,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[3, 4]
         v13, v14 = near_d5 * s3, near_d4 * c3 - near_d2
         Z1_p, Z1_m = v14 - s4_p * v13, v14 - s4_m * v13
-        D1_p, D1_m, v15 = N1 - Z1_p * Z1_p, N1 - Z1_m * Z1_m, near_k5 * w4
-        w1_p, w1_m = math.sqrt(D1_p), math.sqrt(D1_m)
+        D1_squared_p, D1_squared_m, v15 = N1 - Z1_p * Z1_p, N1 - Z1_m * Z1_m, near_k5 * w4
+        w1_p, w1_m = math.sqrt(D1_squared_p), math.sqrt(D1_squared_m)
         v16, v17, v18 = w1_p - w1_p, w1_m - w1_m, abs(Z1_p)
         v19, v20 = abs(Z1_m), near_blur_slack1 + 2.0 * v18
         v21, v22, v23 = near_blur_slack1 + 2.0 * v19, T14 * Z1_p, T14 * Z1_m
@@ -1135,16 +1135,17 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[19 * w + k] = (
-            1.0 if abs(N1) <= v189 or abs(v201 + (D4 + D4)) <= v201 or abs(v177) <= 2.0 * v196 or
-            abs(v122) <= v965 * v965 + v1072 * v1072 or abs(v61) <= v390 or abs(v121) <= v964 * v964
-            + v1071 * v1071 or abs(v60) <= v389 or abs(v120) <= v963 * v963 + v1070 * v1070 or
-            abs(v59) <= v388 or abs(v119) <= v962 * v962 + v1069 * v1069 or abs(v58) <= v387 or N1
-            <= near_doubt_limit_squared2 or v61 <= near_m4 or v60 <= near_m4 or v59 <= near_m4 or
-            v58 <= near_m4 or abs(v255 + (D1_m + D1_m)) <= v255 or abs(D1_m * v15) <= near_m3 * v21
-            or abs(v254 + (D1_p + D1_p)) <= v254 or abs(D1_p * v15) <= near_m3 * v20 or N4 <=
-            near_doubt_limit_squared4 or v122 <= near_m5 or v121 <= near_m5 or v120 <= near_m5 or
-            v119 <= near_m5 or abs(v21) <= 2.0 * v245 or abs(D4) <= near_m1 * v177 or abs(v20) <=
-            2.0 * v244 else kept[19 * w + k]
+            1.0 if abs(N1) <= v189 or abs(v201 + (D4_squared + D4_squared)) <= v201 or abs(v177) <=
+            2.0 * v196 or abs(v122) <= v965 * v965 + v1072 * v1072 or abs(v61) <= v390 or abs(v121)
+            <= v964 * v964 + v1071 * v1071 or abs(v60) <= v389 or abs(v120) <= v963 * v963 + v1070 *
+            v1070 or abs(v59) <= v388 or abs(v119) <= v962 * v962 + v1069 * v1069 or abs(v58) <=
+            v387 or N1 <= near_doubt_limit_squared2 or v61 <= near_m4 or v60 <= near_m4 or v59 <=
+            near_m4 or v58 <= near_m4 or abs(v255 + (D1_squared_m + D1_squared_m)) <= v255 or
+            abs(D1_squared_m * v15) <= near_m3 * v21 or abs(v254 + (D1_squared_p + D1_squared_p)) <=
+            v254 or abs(D1_squared_p * v15) <= near_m3 * v20 or N4 <= near_doubt_limit_squared4 or
+            v122 <= near_m5 or v121 <= near_m5 or v120 <= near_m5 or v119 <= near_m5 or abs(v21) <=
+            2.0 * v245 or abs(D4_squared) <= near_m1 * v177 or abs(v20) <= 2.0 * v244 else kept[19 *
+            w + k]
         )
         kept[63 * w + k], kept[64 * w + k], kept[65 * w + k] = v16, v17, Y5_pp
         kept[66 * w + k], kept[67 * w + k], kept[68 * w + k] = Y5_pm, Y5_mp, Y5_mm

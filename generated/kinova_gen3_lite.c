@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_gen3_lite.yaml. The formulas and where they come from:
  * kinova_gen3_lite.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5e08043e2ed4a01c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e08043e2ed4a01c
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_gen3_lite.h"

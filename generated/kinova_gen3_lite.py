@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5e08043e2ed4a01c
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e08043e2ed4a01c
 """kinova_gen3_lite: Kinova Gen3 lite.
 
 Inverse kinematics, generated from robots/kinova_gen3_lite.yaml and

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_j2s6s300.yaml. The formulas and where they come from:
  * kinova_j2s6s300.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 221669a4b13488f8
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 221669a4b13488f8
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_j2s6s300.h"
@@ -151,10 +151,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = d6 * T23 - T24;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k2;
-    const int apart1 = k4 < D1;
-    if (!(-k3 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k2;
+    const int apart1 = k4 < D1_squared;
+    if (!(-k3 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k5;
     const double inverse1 = 1.0 / (apart1 ? N1 : -(k1 * sqrt(N1)));
     const double v2 = X1 * k1, v3 = wy * k1;
@@ -168,21 +168,21 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v3 - X1 * root1), s1 = inverse1 * (v2 + wy * root1);
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v3 - X1 * D1), s1 = inverse1 * (v2 + wy * D1);
 
         /* theta3 */
-        const double N3 = v4 + root1 * root1;
+        const double N3 = v4 + D1 * D1;
         const double K3 = N3 - k7;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v5 = k6 * K3 * k8;
 
         /* theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4] */
         const double X1_2 = a2 + d4 * v5;
-        const double v6 = Z1_3 * X1_2, v7 = root1 * X1_2;
+        const double v6 = Z1_3 * X1_2, v7 = D1 * X1_2;
 
         /* theta4, type 2: U4[3, 3] */
         const double v8 = T13 * c1 - T23 * s1, v9 = T23 * c1 + T13 * s1, v10 = v9 * v9;
@@ -202,7 +202,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double X2_2 = d4 * c3;
-            const double S2 = v6 + root1 * X2_2;
+            const double S2 = v6 + D1 * X2_2;
             const double C2 = v7 - Z1_3 * X2_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const double factor2 = 1.0 / w2;
@@ -270,16 +270,17 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
-        w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (k1 * wy), c1_p = v2 - w1 * (X1 * inverse1),
-        c1_m = v2 - w1 * (inverse1 * -X1), v3 = inverse1 * (k1 * X1),
-        s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
+    const dhgen_wide X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k2, w1 = dhgen_sqrt_wide(D1_squared), v1 = w1 - w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * wy),
+        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
+        v3 = inverse1 * (k1 * X1), s1_p = v3 + w1 * (wy * inverse1),
+        s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta3 */
-    const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v4 = w3 - w3,
-        v5 = k6 * (N3 - k7), v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
+    const dhgen_wide Z1_3 = d1 + (d6 * T33 - T34), N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v4 = w3 - w3, v5 = k6 * (N3 - k7), v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const dhgen_wide X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2,
@@ -426,9 +427,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3 * (k5 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
-        (v42 <= m5) | (v41 <= m5) | (v39 <= m5) | (v40 <= m5)) |
-        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared * (k5 * w1)) <= m2) |
+        (dhgen_abs_wide(D1_squared) <= m1) | (v42 <= m5) | (v41 <= m5) | (v39 <= m5) | (v40 <= m5))
+        | (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
         dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
@@ -449,16 +450,17 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy, D1 = N1 - k2,
-        w1 = sqrt(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * wy);
+    const double X1 = d6 * T13 - T14, wy = d6 * T23 - T24, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k2, w1 = sqrt(D1_squared), v1 = w1 - w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * wy);
     const dhgen_four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (k1 * X1);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * wy));
 
     /* theta3 */
-    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3), v4 = w3 - w3, v5 = k6 * (N3 - k7),
-        v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
+    const double Z1_3 = d1 + (d6 * T33 - T34), N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v4 = w3 - w3,
+        v5 = k6 * (N3 - k7), v6 = k8 * v5, v7 = k6 * w3, c3 = k8 * v7;
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, X2_2 = d4 * c3, v8 = Z1_3 * X1_2, v9 = w1 * X2_2;
@@ -485,7 +487,7 @@ DHGEN_INLINE int solve_regular(
     const double v35 = copysign(DHGEN_HALF_TURN, -v5);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v27 <= m5)) |
-        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k5 * w1)) <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (fabs(D3_squared * (k5 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(-v5), 0,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 221669a4b13488f8
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 221669a4b13488f8
 """kinova_j2s6s300: Kinova Jaco j2s6s300, spherical wrist.
 
 Inverse kinematics, generated from robots/kinova_j2s6s300.yaml and templates/python/solver.py.jinja.
@@ -205,11 +205,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = d6 * T23 - T24
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k2
-    apart1 = k4 < D1
-    if not (-k3 <= D1):
+    D1_squared = N1 - k2
+    apart1 = k4 < D1_squared
+    if not (-k3 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k5
     inverse1 = 1.0 / (N1 if apart1 else -(k1 * math.sqrt(N1)))
     v2, v3 = X1 * k1, wy * k1
@@ -224,22 +224,22 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v3 - X1 * root1), inverse1 * (v2 + wy * root1)
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v3 - X1 * D1), inverse1 * (v2 + wy * D1)
 
         # theta3
-        N3 = v4 + root1 * root1
+        N3 = v4 + D1 * D1
         K3 = N3 - k7
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v5 = k6 * K3 * k8
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         X1_2 = a2 + d4 * v5
-        v6, v7 = Z1_3 * X1_2, root1 * X1_2
+        v6, v7 = Z1_3 * X1_2, D1 * X1_2
 
         # theta4, type 2: U4[3, 3]
         v8, v9 = T13 * c1 - T23 * s1, T23 * c1 + T13 * s1
@@ -261,7 +261,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             X2_2 = d4 * c3
-            S2 = v6 + root1 * X2_2
+            S2 = v6 + D1 * X2_2
             C2 = v7 - Z1_3 * X2_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             factor2 = 1.0 / w2
@@ -322,8 +322,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         X1, wy = d6 * T13 - T14, d6 * T23 - T24
         N1 = X1 * X1 + wy * wy
-        D1 = N1 - k2
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k2
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = w1 - w1, 1.0 / N1
         v2 = inverse1 * (k1 * wy)
         c1_p, c1_m, v3 = v2 - w1 * (X1 * inverse1), v2 - w1 * (inverse1 * -X1), inverse1 * (k1 * X1)
@@ -331,9 +331,9 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = d1 + (d6 * T33 - T34)
-        N3 = D1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        N3 = D1_squared + Z1_3 * Z1_3
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v4, v5 = w3 - w3, k6 * (N3 - k7)
         v6, v7 = k8 * v5, k6 * w3
         c3 = k8 * v7
@@ -381,8 +381,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D3 * (k5 * w1)) <= m2 or abs(D1) <= m1 or v42 <= m5 or v41 <= m5 or v39 <= m5
-            or v40 <= m5 else kept[16 * w + k]
+            1.0 if abs(D3_squared * (k5 * w1)) <= m2 or abs(D1_squared) <= m1 or v42 <= m5 or v41 <=
+            m5 or v39 <= m5 or v40 <= m5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v4, v5
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v43, v44, s6_pp

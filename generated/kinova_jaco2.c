@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kinova_jaco2.yaml. The formulas and where they come from:
  * kinova_jaco2.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 66d5d28c76f1d82d
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 66d5d28c76f1d82d
  * SPDX-License-Identifier: MIT
  */
 #include "kinova_jaco2.h"

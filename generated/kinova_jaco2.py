@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 66d5d28c76f1d82d
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 66d5d28c76f1d82d
 """kinova_jaco2: Kinova Jaco2 with 6 joints.
 
 Inverse kinematics, generated from robots/kinova_jaco2.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_iiwa14.yaml. The formulas and where they come from:
  * kuka_iiwa14.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7f9271a70e3d8ac9
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 7f9271a70e3d8ac9
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_iiwa14.h"
@@ -154,10 +154,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z1_2 = wz - d1;
     const double V4 = wx * wx + v1 + Z1_2 * Z1_2;
     const double Z4 = V4 - k2;
-    const double D4 = (longest4 - V4) * (V4 - shortest4);
+    const double D4_squared = (longest4 - V4) * (V4 - shortest4);
     const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
     if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
-    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const double w4 = sqrt(apart4 ? D4_squared : 0.0);
     const double v2 = (apart4 ? w4 : least_root2) * k3, v3 = k4 * (k1 * Z4);
 
     /* theta1, type 2: U1 A7^-1 [3, 4] */
@@ -189,11 +189,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
         /* theta1 */
         const double Z1 = d5 * (s3 * v4);
-        const double D1 = N1 - Z1 * Z1;
+        const double D1_squared = N1 - Z1 * Z1;
         const double v5 = fabs(Z1), v6 = 2.0 * v5;
-        const int apart1 = merge_slack1 * (v6 + merge_slack1) < D1;
-        if (!(-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1)) continue; /* out of reach */
-        const double w1 = sqrt(apart1 ? D1 : 0.0);
+        const int apart1 = merge_slack1 * (v6 + merge_slack1) < D1_squared;
+        if (!(-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1_squared)) continue; /* out of reach */
+        const double w1 = sqrt(apart1 ? D1_squared : 0.0);
         const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v5 * v7));
         const double v8 = -wx * Z1, v9 = wy * Z1;
 
@@ -217,13 +217,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e1 = i2 == 0 ? 1.0 : -1.0;
             /* theta1 */
             if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-            const double root1 = w1 * e1;
-            const double c1 = free1 ? cos(v10) : inverse1 * (v9 - -wx * root1),
-                s1 = free1 ? sin(v10) : inverse1 * (v8 + wy * root1);
+            const double D1 = w1 * e1;
+            const double c1 = free1 ? cos(v10) : inverse1 * (v9 - -wx * D1),
+                s1 = free1 ? sin(v10) : inverse1 * (v8 + wy * D1);
 
             /* theta2 */
-            const double S2 = root1 * X2_2 - v12;
-            const double v14 = root1 * v11 + v13;
+            const double S2 = D1 * X2_2 - v12;
+            const double v14 = D1 * v11 + v13;
             const double w2 = sqrt(S2 * S2 + v14 * v14);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -301,11 +301,11 @@ static const double
     /* theta4 */ \
     const dhgen_##number wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = wy * wy, \
         Z1_2 = T34 - d7 * T33 - d1, V4 = v1 + wx * wx + Z1_2 * Z1_2, \
-        D4 = (longest4 - V4) * (V4 - shortest4), w4 = dhgen_sqrt_##number(D4), \
+        D4_squared = (longest4 - V4) * (V4 - shortest4), w4 = dhgen_sqrt_##number(D4_squared), \
         v2 = k1 * (V4 - k2), v3 = k4 * v2, v4 = k1 * w4, v5 = k4 * v4; \
     /* theta1 */ \
-    const dhgen_##number N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1 = N1 - Z1 * Z1, \
-        w1 = dhgen_sqrt_##number(D1), v6 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
+    const dhgen_##number N1 = v1 - wx * -wx, Z1 = d5 * (s3 * v5), D1_squared = N1 - Z1 * Z1, \
+        w1 = dhgen_sqrt_##number(D1_squared), v6 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
         v7 = -wx * Z1, v8 = wy * Z1; \
     /* theta2 */ \
     const dhgen_##number v15 = d5 * (c3 * v5), X2_2 = d3 + d5 * v3, v16 = Z1_2 * v15, \
@@ -363,9 +363,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* joint values */
     const dhgen_wide angle5 = dhgen_atan2_wide(-v4, -v2);
-    left |= (N1 <= doubt_limit_squared2) | (dhgen_abs_wide(D4) <= m1) | (0.0 <
-        dhgen_exceeds_wide(free_joints[0], joints + 2)) | (dhgen_abs_wide(D1 * (k3 * w4)) <= m2 *
-        (merge_slack1 + 2.0 * dhgen_abs_wide(Z1)));
+    left |= (N1 <= doubt_limit_squared2) | (dhgen_abs_wide(D4_squared) <= m1) | (0.0 <
+        dhgen_exceeds_wide(free_joints[0], joints + 2)) | (dhgen_abs_wide(D1_squared * (k3 * w4)) <=
+        m2 * (merge_slack1 + 2.0 * dhgen_abs_wide(Z1)));
 
     DHGEN_UNROLLED for (int i1 = 0; i1 < 2; i1++) { /* elbow+, elbow- */
         const double e4 = i1 == 0 ? 1.0 : -1.0;
@@ -441,9 +441,9 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((v23 <= m3) | (v39 <= m4))) | (unsigned)((N1 <= doubt_limit_squared2) | (fabs(D4)
-        <= m1) | (0.0 < fabs(free_joints[0]) - dhgen_high(joints + 2)) | (fabs(D1 * (k3 * w4)) <= m2
-        * (merge_slack1 + 2.0 * fabs(Z1)))))
+        == 0) | ((v23 <= m3) | (v39 <= m4))) | (unsigned)((N1 <= doubt_limit_squared2) |
+        (fabs(D4_squared) <= m1) | (0.0 < fabs(free_joints[0]) - dhgen_high(joints + 2)) |
+        (fabs(D1_squared * (k3 * w4)) <= m2 * (merge_slack1 + 2.0 * fabs(Z1)))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-v4, -v4, -v4, -v4),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 7f9271a70e3d8ac9
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 7f9271a70e3d8ac9
 """kuka_iiwa14: KUKA LBR iiwa 14 R820.
 
 Inverse kinematics, generated from robots/kuka_iiwa14.yaml and templates/python/solver.py.jinja.
@@ -212,11 +212,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z1_2 = wz - d1
     V4 = wx * wx + v1 + Z1_2 * Z1_2
     Z4 = V4 - k2
-    D4 = (longest4 - V4) * (V4 - shortest4)
+    D4_squared = (longest4 - V4) * (V4 - shortest4)
     apart4 = shortest4_apart < V4 and V4 < longest4_apart
     if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
-    w4 = math.sqrt(D4 if apart4 else 0.0)
+    w4 = math.sqrt(D4_squared if apart4 else 0.0)
     v2 = (w4 if apart4 else least_root2) * k3
     v3 = k4 * (k1 * Z4)
 
@@ -252,13 +252,13 @@ def _solve(pose, q_free, seed, moved, q, status):
 
         # theta1
         Z1 = d5 * (s3 * v4)
-        D1 = N1 - Z1 * Z1
+        D1_squared = N1 - Z1 * Z1
         v5 = abs(Z1)
         v6 = 2.0 * v5
-        apart1 = merge_slack1 * (v6 + merge_slack1) < D1
-        if not (-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1):
+        apart1 = merge_slack1 * (v6 + merge_slack1) < D1_squared
+        if not (-(reach_slack1 * (v6 + reach_slack1)) < v2 * D1_squared):
             continue  # out of reach
-        w1 = math.sqrt(D1 if apart1 else 0.0)
+        w1 = math.sqrt(D1_squared if apart1 else 0.0)
         inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v5 * v7))
         v8, v9 = -wx * Z1, wy * Z1
 
@@ -284,13 +284,13 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta1
             if e1 < 0.0 and (free1 or not apart1):
                 continue  # both signs give the same
-            root1 = w1 * e1
-            c1 = math.cos(v10) if free1 else inverse1 * (v9 - -wx * root1)
-            s1 = math.sin(v10) if free1 else inverse1 * (v8 + wy * root1)
+            D1 = w1 * e1
+            c1 = math.cos(v10) if free1 else inverse1 * (v9 - -wx * D1)
+            s1 = math.sin(v10) if free1 else inverse1 * (v8 + wy * D1)
 
             # theta2
-            S2 = root1 * X2_2 - v12
-            v14 = root1 * v11 + v13
+            S2 = D1 * X2_2 - v12
+            v14 = D1 * v11 + v13
             w2 = math.sqrt(S2 * S2 + v14 * v14)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -369,8 +369,8 @@ def _formulas(kept, turns, rows, w):
         wx, wy = T14 - d7 * T13, T24 - d7 * T23
         v1, Z1_2 = wy * wy, T34 - d7 * T33 - d1
         V4 = v1 + wx * wx + Z1_2 * Z1_2
-        D4 = (longest4 - V4) * (V4 - shortest4)
-        w4, v2 = math.sqrt(D4), k1 * (V4 - k2)
+        D4_squared = (longest4 - V4) * (V4 - shortest4)
+        w4, v2 = math.sqrt(D4_squared), k1 * (V4 - k2)
         v3, v4 = k4 * v2, k1 * w4
         v5 = k4 * v4
 
@@ -392,7 +392,7 @@ def _formulas(kept, turns, rows, w):
         v65, v66, v67 = v5 * T32, v5 * T12, v5 * T22
         v76, v77, v78 = v5 * T31, v5 * T11, v5 * T21
         kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = wx, wy, Z1_2
-        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = D4, w4, v3
+        kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = D4_squared, w4, v3
         kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v5, N1, inverse1
         kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = X2_2, v20, v32
         kept[30 * w + k], kept[31 * w + k], kept[32 * w + k] = v33, v34, v54
@@ -411,7 +411,7 @@ def _formulas(kept, turns, rows, w):
         T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
         T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
         given1, wx, wy = kept[16 * w + k], kept[18 * w + k], kept[19 * w + k]
-        Z1_2, D4, w4 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
+        Z1_2, D4_squared, w4 = kept[20 * w + k], kept[21 * w + k], kept[22 * w + k]
         v3, v5, N1 = kept[23 * w + k], kept[24 * w + k], kept[25 * w + k]
         inverse1, X2_2, v20 = kept[26 * w + k], kept[27 * w + k], kept[28 * w + k]
         v32, v33, v34 = kept[29 * w + k], kept[30 * w + k], kept[31 * w + k]
@@ -422,8 +422,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 2: U1 A7^-1 [3, 4]
         Z1 = d5 * (s3 * v5)
-        D1 = N1 - Z1 * Z1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - Z1 * Z1
+        w1 = math.sqrt(D1_squared)
         v6, v7, v8 = w1 - w1, -wx * Z1, wy * Z1
         v9, v10, v11 = w1 * (-wx * inverse1), w1 * (wx * inverse1), inverse1 * v8
         c1_pp, c1_pm, v12 = v11 - v9, v11 - v10, v9 + v11
@@ -514,9 +514,10 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
-            1.0 if N1 <= doubt_limit_squared2 or abs(D4) <= m1 or abs(D1 * (k3 * w4)) <= m2 *
-            (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or v49 <= m4 or
-            v26 <= m3 or v48 <= m4 or 0.0 < abs(given1) - high3 or v25 <= m3 else kept[17 * w + k]
+            1.0 if N1 <= doubt_limit_squared2 or abs(D4_squared) <= m1 or abs(D1_squared * (k3 *
+            w4)) <= m2 * (merge_slack1 + 2.0 * abs(Z1)) or v51 <= m4 or v27 <= m3 or v50 <= m4 or
+            v49 <= m4 or v26 <= m3 or v48 <= m4 or 0.0 < abs(given1) - high3 or v25 <= m3 else
+            kept[17 * w + k]
         )
         kept[41 * w + k], kept[42 * w + k], kept[43 * w + k] = c1_pp, v12, v13
         kept[44 * w + k], kept[45 * w + k], kept[46 * w + k] = s1_pp, s1_mp, s1_mm

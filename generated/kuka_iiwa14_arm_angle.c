@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/kuka_iiwa14_arm_angle.yaml. The formulas and where they come from:
  * kuka_iiwa14_arm_angle.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d4722574f6bbef95
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: d4722574f6bbef95
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_iiwa14_arm_angle.h"
@@ -181,10 +181,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double v1 = wz - d1;
     const double V4 = wx * wx + wy * wy + v1 * v1;
     const double Z4 = V4 - k2;
-    const double D4 = (longest4 - V4) * (V4 - shortest4);
+    const double D4_squared = (longest4 - V4) * (V4 - shortest4);
     const int apart4 = shortest4_apart < V4 && V4 < longest4_apart;
     if (!(shortest4_reach <= V4 && V4 <= longest4_reach)) return; /* out of reach */
-    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const double w4 = sqrt(apart4 ? D4_squared : 0.0);
     const double v2 = k3 * (k1 * Z4);
 
     /* shoulder, its rotation, from the arm angle and theta4 */
@@ -324,8 +324,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta4 */
     const dhgen_wide wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
-        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4),
-        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * dhgen_sqrt_wide(D4), v5 = k3 * v4;
+        V4 = wx * wx + wy * wy + v1 * v1, D4_squared = (longest4 - V4) * (V4 - shortest4),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * dhgen_sqrt_wide(D4_squared), v5 = k3 * v4;
 
     /* shoulder */
     const dhgen_wide v6 = dhgen_sqrt_wide(V4) * DHGEN_QUOTIENT(1.0, V4), gx = wx * v6, gy = wy * v6,
@@ -484,8 +484,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         dhgen_maximum_wide(v96, v108))));
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11] +
         free_joints[0]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (dhgen_abs_wide(D4) <= m1) |
-        (v30 <= m3));
+    return (exact == 0) | ((v56 <= m3) | (v31 <= m3) | (v55 <= m3) | (dhgen_abs_wide(D4_squared) <=
+        m1) | (v30 <= m3));
 }
 
 #if DHGEN_LANES > 1
@@ -503,8 +503,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta4 */
     const double wx = T14 - d7 * T13, wy = T24 - d7 * T23, v1 = T34 - d7 * T33 - d1,
-        V4 = wx * wx + wy * wy + v1 * v1, D4 = (longest4 - V4) * (V4 - shortest4),
-        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4), v5 = k3 * v4;
+        V4 = wx * wx + wy * wy + v1 * v1, D4_squared = (longest4 - V4) * (V4 - shortest4),
+        v2 = k1 * (V4 - k2), v3 = k3 * v2, v4 = k1 * sqrt(D4_squared), v5 = k3 * v4;
 
     /* shoulder */
     const double v6 = sqrt(V4) * DHGEN_QUOTIENT(1.0, V4), gx = wx * v6, gy = wy * v6, gz = v1 * v6,
@@ -560,7 +560,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v52 = dhgen_signed_four(DHGEN_HALF_TURN, b22);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) + 0.0 * (free_joints[0]) <= DHGEN_ORTHONORMAL)
-        == 0) | ((v27 <= m3) | (v41 <= m3))) | (unsigned)(fabs(D4) <= m1))
+        == 0) | ((v27 <= m3) | (v41 <= m3))) | (unsigned)(fabs(D4_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-v4, -v4, -v4, -v4),

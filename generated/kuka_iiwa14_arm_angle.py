@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d4722574f6bbef95
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: d4722574f6bbef95
 """kuka_iiwa14_arm_angle: KUKA LBR iiwa 14 R820, arm angle given.
 
 Inverse kinematics, generated from robots/kuka_iiwa14_arm_angle.yaml and
@@ -240,11 +240,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     v1 = wz - d1
     V4 = wx * wx + wy * wy + v1 * v1
     Z4 = V4 - k2
-    D4 = (longest4 - V4) * (V4 - shortest4)
+    D4_squared = (longest4 - V4) * (V4 - shortest4)
     apart4 = shortest4_apart < V4 and V4 < longest4_apart
     if not (shortest4_reach <= V4 and V4 <= longest4_reach):
         return  # out of reach
-    w4 = math.sqrt(D4 if apart4 else 0.0)
+    w4 = math.sqrt(D4_squared if apart4 else 0.0)
     v2 = k3 * (k1 * Z4)
 
     # shoulder, its rotation, from the arm angle and theta4
@@ -388,8 +388,8 @@ def _formulas(kept, turns, rows, w):
         # theta4, type 2: the squared length of column 4 of U1 A7^-1
         wx, wy, v1 = T14 - d7 * T13, T24 - d7 * T23, T34 - d7 * T33 - d1
         V4 = wx * wx + wy * wy + v1 * v1
-        D4, v2 = (longest4 - V4) * (V4 - shortest4), k1 * (V4 - k2)
-        v3, v4 = k3 * v2, k1 * math.sqrt(D4)
+        D4_squared, v2 = (longest4 - V4) * (V4 - shortest4), k1 * (V4 - k2)
+        v3, v4 = k3 * v2, k1 * math.sqrt(D4_squared)
         v5 = k3 * v4
 
         # shoulder, its rotation, from the arm angle and theta4
@@ -424,7 +424,7 @@ def _formulas(kept, turns, rows, w):
         # theta7, type 3: U5[3, 2] and U5[3, 1]
         v65, v72 = arm_ * (v16 * (gz * (v14 * T32))), arm_ * (v16 * (gz * (v14 * T31)))
         v73, v76 = v13 * T31, v13 * T32
-        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = D4, v3, v5
+        kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = D4_squared, v3, v5
         kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = gx, gy, v9
         kept[24 * w + k], kept[25 * w + k], kept[26 * w + k] = v10, v11, v12
         kept[27 * w + k], kept[28 * w + k], kept[29 * w + k] = arm_, v16, side_p
@@ -445,7 +445,7 @@ def _formulas(kept, turns, rows, w):
         T11, T12, T13 = kept[0 * w + k], kept[1 * w + k], kept[2 * w + k]
         T21, T22, T23 = kept[4 * w + k], kept[5 * w + k], kept[6 * w + k]
         T31, T32, T33 = kept[8 * w + k], kept[9 * w + k], kept[10 * w + k]
-        D4, v3, v5 = kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
+        D4_squared, v3, v5 = kept[18 * w + k], kept[19 * w + k], kept[20 * w + k]
         gx, gy, v9 = kept[21 * w + k], kept[22 * w + k], kept[23 * w + k]
         v10, v11, v12 = kept[24 * w + k], kept[25 * w + k], kept[26 * w + k]
         arm_, v16, side_p = kept[27 * w + k], kept[28 * w + k], kept[29 * w + k]
@@ -520,8 +520,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[17 * w + k] = (
-            1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4) <= m1 or v30 <= m3 else kept[17 *
-            w + k]
+            1.0 if v56 <= m3 or v31 <= m3 or v55 <= m3 or abs(D4_squared) <= m1 or v30 <= m3 else
+            kept[17 * w + k]
         )
         kept[46 * w + k], kept[47 * w + k], kept[48 * w + k] = b22_p, b22_m, v36
         kept[49 * w + k], kept[50 * w + k], kept[51 * w + k] = v37, Y5_p, Y5_m

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr210.yaml. The formulas and where they come from:
  * kuka_kr210.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 3e814aec3a2fdecb
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 3e814aec3a2fdecb
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr210.h"
@@ -162,10 +162,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v1 = w1 * e1 + a1;
         const double N3 = v2 + v1 * v1;
         const double K3 = N3 - k3;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v3 = k1 * K3, v5 = k2 * K3;
 
         /* theta4, type 2: U4[2, 3] */
@@ -181,9 +181,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double v4 = (v3 + k2 * root3) * k4;
-            const double c3 = k4 * (k1 * root3 - v5);
+            const double D3 = w3 * e3;
+            const double v4 = (v3 + k2 * D3) * k4;
+            const double c3 = k4 * (k1 * D3 - v5);
             const double q3 = atan2(-v4, c3);
 
             /* theta2, type 3: U1[1, 4] and U1[3, 4] */
@@ -263,12 +263,13 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d7 * T33 - d1, v3 = a1 + w1, v4 = a1 - w1, v5 = Z1_3 * Z1_3,
-        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v6 = m6 * N3_p - m5, v7 = m6 * N3_m - m5, v8 = m4 * w3_p,
-        v9 = v6 + v8, v10 = v6 - v8, v11 = m4 * w3_m, v12 = v7 + v11, v13 = v7 - v11,
-        v14 = m7 - m4 * N3_p, v15 = m7 - m4 * N3_m, v16 = m6 * w3_p, c3_pp = v14 + v16,
-        c3_pm = v14 - v16, v17 = m6 * w3_m, c3_mp = v15 + v17, c3_mm = v15 - v17,
+        N3_p = v5 + v3 * v3, N3_m = v5 + v4 * v4,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v6 = m6 * N3_p - m5, v7 = m6 * N3_m - m5,
+        v8 = m4 * w3_p, v9 = v6 + v8, v10 = v6 - v8, v11 = m4 * w3_m, v12 = v7 + v11,
+        v13 = v7 - v11, v14 = m7 - m4 * N3_p, v15 = m7 - m4 * N3_m, v16 = m6 * w3_p,
+        c3_pp = v14 + v16, c3_pm = v14 - v16, v17 = m6 * w3_m, c3_mp = v15 + v17, c3_mm = v15 - v17,
         angle2 = dhgen_atan2_wide(-v9, c3_pp), angle3 = dhgen_atan2_wide(-v10, c3_pm),
         angle4 = dhgen_atan2_wide(-v12, c3_mp), angle5 = dhgen_atan2_wide(-v13, c3_mm);
 
@@ -355,7 +356,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v35 <= m10) | (v33 <= m10) | (v31 <= m10) | (v30 <= m10) |
-        (dhgen_abs_wide(D3_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3));
+        (dhgen_abs_wide(D3_squared_m) <= m3) | (v1 <= m1) | (dhgen_abs_wide(D3_squared_p) <= m3));
 }
 
 #if DHGEN_LANES > 1
@@ -380,9 +381,9 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d7 * T33 - d1;
     const dhgen_four v4 = a1 + e1 * w1;
     const double v5 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v5 + v4 * v4, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v6 = m4 * e3, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6, v9 = m6 * e3,
-        v10 = m7 - m4 * N3, c3 = v10 + w3 * v9;
+    const dhgen_four N3 = v5 + v4 * v4, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v6 = m4 * e3, v7 = m6 * N3 - m5, v8 = v7 + w3 * v6,
+        v9 = m6 * e3, v10 = m7 - m4 * N3, c3 = v10 + w3 * v9;
 
     /* theta2 */
     const dhgen_four X2_2 = m9 - m8 * N3, v11 = Z1_3 * X2_2, S2 = v11 + w3 * (m8 * (e3 * v4)),
@@ -403,7 +404,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v23 = e1 * (-X4 * v21 + v15 * (e1 * (c23 * v22) - s23 * T31));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m3) | (v17 <= m10)) | (unsigned)(v1 <= m1))
+        (dhgen_abs_four(D3_squared) <= m3) | (v17 <= m10)) | (unsigned)(v1 <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Y1, Y1, Y1, Y1),

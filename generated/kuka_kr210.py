@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 3e814aec3a2fdecb
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 3e814aec3a2fdecb
 """kuka_kr210: KUKA KR 210.
 
 Inverse kinematics, generated from robots/kuka_kr210.yaml and templates/python/solver.py.jinja.
@@ -202,11 +202,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v1 = w1 * e1 + a1
         N3 = v2 + v1 * v1
         K3 = N3 - k3
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v3, v5 = k1 * K3, k2 * K3
 
         # theta4, type 2: U4[2, 3]
@@ -223,9 +223,9 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            v4 = (v3 + k2 * root3) * k4
-            c3 = k4 * (k1 * root3 - v5)
+            D3 = w3 * e3
+            v4 = (v3 + k2 * D3) * k4
+            c3 = k4 * (k1 * D3 - v5)
             q3 = _atan2(-v4, c3)
 
             # theta2, type 3: U1[1, 4] and U1[3, 4]
@@ -294,9 +294,10 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v3, v4 = T34 - d7 * T33 - d1, a1 + w1, a1 - w1
         v5 = Z1_3 * Z1_3
         N3_p, N3_m = v5 + v3 * v3, v5 + v4 * v4
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m, v6 = math.sqrt(D3_p), math.sqrt(D3_m), m6 * N3_p - m5
-        v7, v8 = m6 * N3_m - m5, m4 * w3_p
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v6, v7 = math.sqrt(D3_squared_m), m6 * N3_p - m5, m6 * N3_m - m5
+        v8 = m4 * w3_p
         v9, v10, v11 = v6 + v8, v6 - v8, m4 * w3_m
         v12, v13, v14 = v7 + v11, v7 - v11, m7 - m4 * N3_p
         v15, v16 = m7 - m4 * N3_m, m6 * w3_p
@@ -338,8 +339,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_m) <= m3 or v1 <=
-            m1 or abs(D3_p) <= m3 else kept[16 * w + k]
+            1.0 if v35 <= m10 or v33 <= m10 or v31 <= m10 or v30 <= m10 or abs(D3_squared_m) <= m3
+            or v1 <= m1 or abs(D3_squared_p) <= m3 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y1, w3_p, w3_m
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v36, v37, v42

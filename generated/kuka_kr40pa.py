@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fcfe06ceda5e7cac
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: fcfe06ceda5e7cac
 """kuka_kr40pa: KUKA KR 40 PA palletizer, serial equivalent.
 
 Inverse kinematics, generated from robots/kuka_kr40pa.yaml and templates/python/solver.py.jinja.
@@ -194,11 +194,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z2_3 = c1 * T14 - v3 * T24 - v5
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
-    D3 = (longest3 - N3) * (N3 - shortest3)
+    D3_squared = (longest3 - N3) * (N3 - shortest3)
     apart3 = shortest3_apart < N3 and N3 < longest3_apart
     if not (shortest3_reach <= N3 and N3 <= longest3_reach):
         return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
+    w3 = math.sqrt(D3_squared if apart3 else 0.0)
     c3 = K3 * k2
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
@@ -277,8 +277,8 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v6 = T34 - d1 - v5, a1 + factor234 * (a4 * T33)
         Z2_3 = c1 * T14 - v4 * T24 - v6
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v7, v8, v9 = w3 * (m4 * Z2_3), w3 * (m4 * -Z2_3), m4 * (Z1_3 * N3)
@@ -303,10 +303,10 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if (-m2 <= D3 and D3 <= m3) or v2 <= m1 or N3 <= doubt_limit_squared2 or m5 < v16 *
-            v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20 or ((v27 <= m8 or v28 <= m8) and not
-            (exact__p or exact__m)) or (m6 < v27 and v27 <= m7) or (m6 < v28 and v28 <= m7) else
-            kept[16 * w + k]
+            1.0 if (-m2 <= D3_squared and D3_squared <= m3) or v2 <= m1 or N3 <=
+            doubt_limit_squared2 or m5 < v16 * v16 + v17 * v17 + v18 * v18 + v19 * v19 + v20 * v20
+            or ((v27 <= m8 or v28 <= m8) and not (exact__p or exact__m)) or (m6 < v27 and v27 <= m7)
+            or (m6 < v28 and v28 <= m7) else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3, v32, v33
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -T31, w3, -v10

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_kr40pa_drives.yaml. The formulas and where they come from:
  * kuka_kr40pa_drives.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a161591f8bab6b71
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a161591f8bab6b71
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr40pa_drives.h"
@@ -125,10 +125,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double v1 = w1 * e1 + a1;
         const double N3 = v2 + v1 * v1;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
@@ -188,9 +188,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d1, v2 = a1 + w1, v3 = a1 - w1, v4 = Z1_3 * Z1_3,
-        N3_p = v4 + v2 * v2, N3_m = v4 + v3 * v3, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m);
+        N3_p = v4 + v2 * v2, N3_m = v4 + v3 * v3,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m);
 
     /* theta2 */
     const dhgen_wide v5 = m4 * (N3_p * -Z1_3), v6 = m4 * (N3_m * -Z1_3), v7 = m4 * Z1_3,
@@ -226,8 +227,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[9] = q1_mp; q[10] = angle5; q[11] = q3_mm;
     kind[3] = dhgen_kind_within_wide(q[9], 0.0 < excess_mm);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((N3_m <= doubt_limit_squared2) | (dhgen_abs_wide(D3_m) <= m3) | (N3_p <=
-        doubt_limit_squared2) | (v1 <= m1) | (dhgen_abs_wide(D3_p) <= m3)) |
+    return (exact == 0) | ((N3_m <= doubt_limit_squared2) | (dhgen_abs_wide(D3_squared_m) <= m3) |
+        (N3_p <= doubt_limit_squared2) | (v1 <= m1) | (dhgen_abs_wide(D3_squared_p) <= m3)) |
         (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
         dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
@@ -253,14 +254,14 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d1;
     const dhgen_four v3 = a1 + e1 * w1;
     const double v4 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v4 + v3 * v3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3);
+    const dhgen_four N3 = v4 + v3 * v3, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared);
 
     /* theta2 */
     const dhgen_four v5 = m4 * (N3 * -Z1_3), v6 = m4 * (e3 * Z1_3), v7 = m4 * (v3 * N3);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0) |
-        ((dhgen_abs_four(D3) <= m3) | (N3 <= doubt_limit_squared2))) | (unsigned)(v1 <= m1))
+        ((dhgen_abs_four(D3_squared) <= m3) | (N3 <= doubt_limit_squared2))) | (unsigned)(v1 <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(-T24), 0,

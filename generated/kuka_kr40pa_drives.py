@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a161591f8bab6b71
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: a161591f8bab6b71
 """kuka_kr40pa_drives: KUKA KR 40 PA palletizer, its hand's joint, by its drives.
 
 Inverse kinematics, generated from robots/kuka_kr40pa_drives.yaml and
@@ -166,11 +166,11 @@ def _solve(pose, q_free, seed, moved, q, status):
         v1 = w1 * e1 + a1
         N3 = v2 + v1 * v1
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
@@ -220,8 +220,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v2, v3 = T34 - d1, a1 + w1, a1 - w1
         v4 = Z1_3 * Z1_3
         N3_p, N3_m = v4 + v2 * v2, v4 + v3 * v3
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m = math.sqrt(D3_squared_m)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v5, v6, v7 = m4 * (N3_p * -Z1_3), m4 * (N3_m * -Z1_3), m4 * Z1_3
@@ -230,8 +231,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if N3_m <= doubt_limit_squared2 or abs(D3_m) <= m3 or N3_p <= doubt_limit_squared2
-            or v1 <= m1 or abs(D3_p) <= m3 else kept[16 * w + k]
+            1.0 if N3_m <= doubt_limit_squared2 or abs(D3_squared_m) <= m3 or N3_p <=
+            doubt_limit_squared2 or v1 <= m1 or abs(D3_squared_p) <= m3 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = w3_p, w3_m, -T24
         turns[1 * w + k], turns[2 * w + k] = v5 + v11, v5 - v11

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/kuka_kr6_r900_calibrated.yaml. The formulas and where they come
  * from: kuka_kr6_r900_calibrated.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 193c5bacd2d40f86
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 193c5bacd2d40f86
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_kr6_r900_calibrated.h"
@@ -383,7 +383,7 @@ static const double
 #define SIGNED(number, signs) \
     /* theta3 */ \
     const dhgen_##number Z2_3 = e1 * w1 - near_a1, N3 = v4 + Z2_3 * Z2_3, v5 = near_longest3 - N3, \
-        v6 = N3 - near_shortest3, D3 = v5 * v6, w3 = dhgen_sqrt_##number(D3); \
+        v6 = N3 - near_shortest3, D3_squared = v5 * v6, w3 = dhgen_sqrt_##number(D3_squared); \
     /* theta2 */ \
     const dhgen_##number X1_2 = near_m5 + near_m4 * N3, v7 = T34 * X1_2, v8 = Z2_3 * X1_2, \
         factor2 = DHGEN_QUOTIENT(1.0, N3); \
@@ -485,8 +485,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
         /* joint values */
         const dhgen_wide q1_p = angle1 + v3 * (near_m2 * (e1 - 1.0)) + (w3 - w3);
-        left |= (dhgen_abs_wide(v67 + (D3 + D3)) <= v67) | (dhgen_abs_wide(N3) <= v68) |
-            (dhgen_abs_wide(D3) <= near_m3);
+        left |= (dhgen_abs_wide(v67 + (D3_squared + D3_squared)) <= v67) | (dhgen_abs_wide(N3) <=
+            v68) | (dhgen_abs_wide(D3_squared) <= near_m3);
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -544,9 +544,9 @@ DHGEN_INLINE int solve_regular(
     const double v3 = copysign(DHGEN_HALF_TURN, T24);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        ((dhgen_abs_four(v67 + (D3 + D3)) <= v67) | (dhgen_abs_four(N3) <= v68) |
-        (dhgen_abs_four(D3) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v200 + v199
-        * v199))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= v44)))
+        ((dhgen_abs_four(v67 + (D3_squared + D3_squared)) <= v67) | (dhgen_abs_four(N3) <= v68) |
+        (dhgen_abs_four(D3_squared) <= near_m3)) | ((v27 <= near_m10) | (dhgen_abs_four(v27) <= v200
+        + v199 * v199))) | (unsigned)((v1 <= near_m1) | (fabs(v1) <= v44)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, dhgen_all_four(T24), 0,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 193c5bacd2d40f86
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 193c5bacd2d40f86
 """kuka_kr6_r900_calibrated: KUKA KR 6 R900 with calibration noise of 1e-4.
 
 Inverse kinematics, generated from robots/kuka_kr6_r900_calibrated.yaml and
@@ -393,9 +393,9 @@ def _formulas(kept, turns, rows, w):
         Z2_3_p, v3, v4 = w1 - near_a1, near_a1 + w1, T34 * T34
         N3_p, N3_m = v4 + Z2_3_p * Z2_3_p, v4 + v3 * v3
         v5, v6, v7 = near_longest3 - N3_p, near_longest3 - N3_m, N3_p - near_shortest3
-        v8, D3_p = N3_m - near_shortest3, v5 * v7
-        D3_m, w3_p = v6 * v8, math.sqrt(D3_p)
-        w3_m = math.sqrt(D3_m)
+        v8, D3_squared_p = N3_m - near_shortest3, v5 * v7
+        D3_squared_m, w3_p = v6 * v8, math.sqrt(D3_squared_p)
+        w3_m = math.sqrt(D3_squared_m)
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         X1_2_p, X1_2_m = near_m5 + near_m4 * N3_p, near_m5 + near_m4 * N3_m
@@ -640,12 +640,12 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[18 * w + k] = (
-            1.0 if abs(v100 + (D3_m + D3_m)) <= v100 or abs(D3_m) <= near_m3 or abs(v99 + (D3_p +
-            D3_p)) <= v99 or abs(D3_p) <= near_m3 or abs(v49) <= v336 + v335 * v335 or v49 <=
-            near_m10 or abs(v48) <= v336 + v334 * v334 or v48 <= near_m10 or abs(v47) <= v336 + v333
-            * v333 or v47 <= near_m10 or abs(v46) <= v336 + v332 * v332 or v46 <= near_m10 or
-            abs(N3_m) <= v101 or v1 <= near_m1 or abs(v1) <= v67 or abs(N3_p) <= v101 else kept[18 *
-            w + k]
+            1.0 if abs(v100 + (D3_squared_m + D3_squared_m)) <= v100 or abs(D3_squared_m) <= near_m3
+            or abs(v99 + (D3_squared_p + D3_squared_p)) <= v99 or abs(D3_squared_p) <= near_m3 or
+            abs(v49) <= v336 + v335 * v335 or v49 <= near_m10 or abs(v48) <= v336 + v334 * v334 or
+            v48 <= near_m10 or abs(v47) <= v336 + v333 * v333 or v47 <= near_m10 or abs(v46) <= v336
+            + v332 * v332 or v46 <= near_m10 or abs(N3_m) <= v101 or v1 <= near_m1 or abs(v1) <= v67
+            or abs(N3_p) <= v101 else kept[18 * w + k]
         )
         kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = w3_p, w3_m, c23_mp
         kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = c23_mm, s23_mp, s23_mm

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/kuka_youbot.yaml. The formulas and where they come from:
  * kuka_youbot.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: fc15dcffa9b84be9
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: fc15dcffa9b84be9
  * SPDX-License-Identifier: MIT
  */
 #include "kuka_youbot.h"
@@ -176,13 +176,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v8;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -278,9 +278,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v11 = T14 * c1 + T24 * s1, v12 = v11 - a1, v13 = a1 + v11, v14 = factor234 * v10,
         v15 = v12 - v14, v16 = v14 - v13, v17 = w234 * (v4 * v10), Z2_3_p = v12 - v17,
         Z2_3_m = v17 - v13, v18 = Z1_3 * Z1_3, N3_p = v18 + Z2_3_p * Z2_3_p,
-        N3_m = v18 + Z2_3_m * Z2_3_m, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v19 = w3_p - w3_p, v20 = w3_m - w3_m,
+        N3_m = v18 + Z2_3_m * Z2_3_m, D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v19 = w3_p - w3_p, v20 = w3_m - w3_m,
         angle4 = dhgen_atan2_wide(w3_p, N3_p - k1), angle5 = dhgen_atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
@@ -359,7 +359,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     return (exact == 0) | ((v3 <= m3) | (v1 <= m1) | (v5 <= m3) | (m9 < v52 * v52 + v53 * v53 + v54
         * v54 + v55 * v55 + v56 * v56 + v57 * v57) | ((m10 < v73) & (v73 <= m11)) | ((m10 < v72) &
         (v72 <= m11)) | ((m10 < v71) & (v71 <= m11)) | ((m10 < v70) & (v70 <= m11)) |
-        (dhgen_abs_wide(D3_p) <= m4) | (dhgen_abs_wide(D3_m) <= m4));
+        (dhgen_abs_wide(D3_squared_p) <= m4) | (dhgen_abs_wide(D3_squared_m) <= m4));
 }
 
 #if DHGEN_LANES > 1
@@ -400,8 +400,8 @@ DHGEN_INLINE int solve_regular(
     const double v16 = factor234 * v13;
     const dhgen_four v17 = e1 * v16, v18 = v15 - v17, Z2_3 = v15 - w234 * (v6 * (e1 * v13));
     const double v19 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v19 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v20 = w3 - w3;
+    const dhgen_four N3 = v19 + Z2_3 * Z2_3, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v20 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v21 = e3 * v18, v22 = m6 + m5 * N3, v23 = Z1_3 * v22,
@@ -426,9 +426,9 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v52 = dhgen_only_four((v45 <= m10) == 0, v51);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m4) | ((m10 < v45) & (v45 <= m11))) | (unsigned)((v5 <= m3) | (v1 <=
-        m1) | (m9 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41) | (v7 <=
-        m3)))
+        (dhgen_abs_four(D3_squared) <= m4) | ((m10 < v45) & (v45 <= m11))) | (unsigned)((v5 <= m3) |
+        (v1 <= m1) | (m9 < v36 * v36 + v37 * v37 + v38 * v38 + v39 * v39 + v40 * v40 + v41 * v41) |
+        (v7 <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-S5, -S5, -S5, -S5),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fc15dcffa9b84be9
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: fc15dcffa9b84be9
 """kuka_youbot: KUKA youBot arm.
 
 Inverse kinematics, generated from robots/kuka_youbot.yaml and templates/python/solver.py.jinja.
@@ -217,14 +217,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         Z2_3 = T14 * c1 + T24 * s1 - a1 - v8
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if free1:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -317,9 +317,10 @@ def _formulas(kept, turns, rows, w):
         v15, v16, v17 = v12 - v14, v14 - v13, w234 * (v4 * v10)
         Z2_3_p, Z2_3_m, v18 = v12 - v17, v17 - v13, Z1_3 * Z1_3
         N3_p, N3_m = v18 + Z2_3_p * Z2_3_p, v18 + Z2_3_m * Z2_3_m
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
-        v19, v20 = w3_p - w3_p, w3_m - w3_m
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v19 = math.sqrt(D3_squared_m), w3_p - w3_p
+        v20 = w3_m - w3_m
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         v21, v22 = m6 + m5 * N3_p, m6 + m5 * N3_m
@@ -377,8 +378,8 @@ def _formulas(kept, turns, rows, w):
         kept[16 * w + k] = (
             1.0 if v3 <= m3 or v1 <= m1 or v5 <= m3 or m9 < v52 * v52 + v53 * v53 + v54 * v54 + v55
             * v55 + v56 * v56 + v57 * v57 or (m10 < v73 and v73 <= m11) or (m10 < v72 and v72 <=
-            m11) or (m10 < v71 and v71 <= m11) or (m10 < v70 and v70 <= m11) or abs(D3_p) <= m4 or
-            abs(D3_m) <= m4 else kept[16 * w + k]
+            m11) or (m10 < v71 and v71 <= m11) or (m10 < v70 and v70 <= m11) or abs(D3_squared_p) <=
+            m4 or abs(D3_squared_m) <= m4 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, S5, v19
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v20, v87, v88

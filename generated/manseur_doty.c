@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/manseur_doty.yaml. The formulas and where they come from:
  * manseur_doty.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 049c2906a806dbdc
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 049c2906a806dbdc
  * SPDX-License-Identifier: MIT
  */
 #include "manseur_doty.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 049c2906a806dbdc
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 049c2906a806dbdc
 """manseur_doty: Arm with 16 real solutions.
 
 Inverse kinematics, generated from robots/manseur_doty.yaml and templates/python/solver.py.jinja.

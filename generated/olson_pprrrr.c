@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/olson_pprrrr.yaml. The formulas and where they come from:
  * olson_pprrrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: db2ececc07f31b80
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: db2ececc07f31b80
  * SPDX-License-Identifier: MIT
  */
 #include "olson_pprrrr.h"
@@ -119,11 +119,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta4, type 2: U0 A6^-1 [3, 4] */
     const double wz = T34 - T33 * d6;
     const double Z4 = wz - d3;
-    const double D4 = k1 - Z4 * Z4;
+    const double D4_squared = k1 - Z4 * Z4;
     const double v3 = 2.0 * fabs(Z4);
-    const int apart4 = merge_slack1 * (v3 + merge_slack1) < D4;
-    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D4)) return; /* out of reach */
-    const double w4 = sqrt(apart4 ? D4 : 0.0);
+    const int apart4 = merge_slack1 * (v3 + merge_slack1) < D4_squared;
+    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D4_squared)) return; /* out of reach */
+    const double w4 = sqrt(apart4 ? D4_squared : 0.0);
     const double s4 = k2 * (a4 * Z4);
 
     /* r2, type 1: U0 A6^-1 [1, 4] */
@@ -160,7 +160,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         for (int i2 = 0; i2 < 2; i2++) { /* elbow4+, elbow4- */
             const double e4 = i2 == 0 ? 1.0 : -1.0;
             /* theta4 */
-            if (e4 < 0.0 && (!apart4 || (near3 && !(blur_slack1 * (v3 + blur_slack1) < D4))))
+            if (e4 < 0.0 && (!apart4 || (near3 && !(blur_slack1 * (v3 + blur_slack1) <
+                D4_squared))))
                 continue; /* both signs give the same */
             const double v4 = k2 * (a4 * (w4 * e4));
             const double q4 = atan2(s4, -v4);
@@ -203,9 +204,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle1 = dhgen_atan2_wide(-T13, T23);
 
     /* theta4 */
-    const dhgen_wide Z4 = T34 - d6 * T33 - d3, D4 = k1 - Z4 * Z4, w4 = dhgen_sqrt_wide(D4),
-        v3 = w4 - w4, v4 = a4 * w4, v5 = k2 * v4, v6 = a4 * Z4, angle2 = dhgen_atan2_wide(v6, -v4),
-        q4_pm = dhgen_signed_wide(DHGEN_HALF_TURN, v6) - angle2;
+    const dhgen_wide Z4 = T34 - d6 * T33 - d3, D4_squared = k1 - Z4 * Z4,
+        w4 = dhgen_sqrt_wide(D4_squared), v3 = w4 - w4, v4 = a4 * w4, v5 = k2 * v4, v6 = a4 * Z4,
+        angle2 = dhgen_atan2_wide(v6, -v4), q4_pm = dhgen_signed_wide(DHGEN_HALF_TURN, v6) - angle2;
 
     /* r2 */
     const dhgen_wide wx = T14 - d6 * T13, v7 = v5 * (a4 * v2), q2_pp = wx - v7, q2_pm = wx + v7;
@@ -243,7 +244,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[18]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D4) <= m3 * (blur_slack1 + 2.0 *
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D4_squared) <= m3 * (blur_slack1 + 2.0 *
         dhgen_abs_wide(Z4))));
 }
 
@@ -267,8 +268,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v4 = m2 * (e3 - 1.0);
 
     /* theta4 */
-    const double Z4 = T34 - d6 * T33 - d3, D4 = k1 - Z4 * Z4, w4 = sqrt(D4), v5 = w4 - w4,
-        v6 = a4 * w4, v7 = k2 * v6, v8 = a4 * Z4, v9 = copysign(DHGEN_HALF_TURN, v8);
+    const double Z4 = T34 - d6 * T33 - d3, D4_squared = k1 - Z4 * Z4, w4 = sqrt(D4_squared),
+        v5 = w4 - w4, v6 = a4 * w4, v7 = k2 * v6, v8 = a4 * Z4, v9 = copysign(DHGEN_HALF_TURN, v8);
 
     /* r2 */
     const double wx = T14 - d6 * T13, v10 = v7 * (a4 * v2);
@@ -282,7 +283,7 @@ DHGEN_INLINE int solve_regular(
     const double v13 = v2 * T21 - c3 * T11, v14 = copysign(DHGEN_HALF_TURN, v13);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v1 <=
-        m1) | (fabs(D4) <= m3 * (blur_slack1 + 2.0 * fabs(Z4)))))
+        m1) | (fabs(D4_squared) <= m3 * (blur_slack1 + 2.0 * fabs(Z4)))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T13, v8, -w3, v13),

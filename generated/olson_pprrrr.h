@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: db2ececc07f31b80
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: db2ececc07f31b80
  * SPDX-License-Identifier: MIT
  */
 #ifndef OLSON_PPRRRR_H

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: db2ececc07f31b80
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: db2ececc07f31b80
 """olson_pprrrr: Olson PPRRRR arm.
 
 Inverse kinematics, generated from robots/olson_pprrrr.yaml and templates/python/solver.py.jinja.
@@ -146,12 +146,12 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta4, type 2: U0 A6^-1 [3, 4]
     wz = T34 - T33 * d6
     Z4 = wz - d3
-    D4 = k1 - Z4 * Z4
+    D4_squared = k1 - Z4 * Z4
     v3 = 2.0 * abs(Z4)
-    apart4 = merge_slack1 * (v3 + merge_slack1) < D4
-    if not (-(reach_slack1 * (v3 + reach_slack1)) < D4):
+    apart4 = merge_slack1 * (v3 + merge_slack1) < D4_squared
+    if not (-(reach_slack1 * (v3 + reach_slack1)) < D4_squared):
         return  # out of reach
-    w4 = math.sqrt(D4 if apart4 else 0.0)
+    w4 = math.sqrt(D4_squared if apart4 else 0.0)
     s4 = k2 * (a4 * Z4)
 
     # r2, type 1: U0 A6^-1 [1, 4]
@@ -190,7 +190,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         for i2 in range(2):  # elbow4+, elbow4-
             e4 = 1.0 - 2.0 * i2
             # theta4
-            if e4 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) < D4))):
+            if (
+                e4 < 0.0 and (not apart4 or (near3 and not (blur_slack1 * (v3 + blur_slack1) <
+                D4_squared)))
+            ):
                 continue  # both signs give the same
             v4 = k2 * (a4 * (w4 * e4))
             q4 = _atan2(s4, -v4)
@@ -230,8 +233,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta4, type 2: U0 A6^-1 [3, 4]
         Z4 = T34 - d6 * T33 - d3
-        D4 = k1 - Z4 * Z4
-        w4 = math.sqrt(D4)
+        D4_squared = k1 - Z4 * Z4
+        w4 = math.sqrt(D4_squared)
         v3, v4 = w4 - w4, a4 * w4
         v5, v6 = k2 * v4, a4 * Z4
 
@@ -248,7 +251,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v1 <= m1 or abs(D4) <= m3 * (blur_slack1 + 2.0 * abs(Z4)) else kept[16 * w + k]
+            1.0 if v1 <= m1 or abs(D4_squared) <= m3 * (blur_slack1 + 2.0 * abs(Z4)) else kept[16 *
+            w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v3, v6, q2_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = q2_pm, q1_pp, q1_pm

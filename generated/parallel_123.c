@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/parallel_123.yaml. The formulas and where they come from:
  * parallel_123.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7a430d01fc79c886
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 7a430d01fc79c886
  * SPDX-License-Identifier: MIT
  */
 #include "parallel_123.h"
@@ -299,18 +299,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             (c123 * v54 - s123 * v53 + v56));
         const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
         const double K2 = N2 - k16;
-        const double D2 = (longest2 - N2) * (N2 - shortest2);
+        const double D2_squared = (longest2 - N2) * (N2 - shortest2);
         const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
         if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) {
-            if (near6) dhgen_lose(DHGEN_NEARLY + 6, D2, q[2 * i1], &status[2 * i1]);
+            if (near6) dhgen_lose(DHGEN_NEARLY + 6, D2_squared, q[2 * i1], &status[2 * i1]);
             if (near6) q[2 * i1][1] = v34;
-            if (free6) dhgen_lose(DHGEN_LOST + 6, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) dhgen_lose(DHGEN_LOST + 1, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) dhgen_lose(DHGEN_LOST + 2, D2, q[2 * i1], &status[2 * i1]);
-            if (free123) dhgen_lose(DHGEN_LOST + 3, D2, q[2 * i1], &status[2 * i1]);
+            if (free6) dhgen_lose(DHGEN_LOST + 6, D2_squared, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 1, D2_squared, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 2, D2_squared, q[2 * i1], &status[2 * i1]);
+            if (free123) dhgen_lose(DHGEN_LOST + 3, D2_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w2 = sqrt(apart2 ? D2 : 0.0);
+        const double w2 = sqrt(apart2 ? D2_squared : 0.0);
         const double c2 = K2 * k17;
 
         /* theta1 */

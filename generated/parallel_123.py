@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 7a430d01fc79c886
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 7a430d01fc79c886
 """parallel_123: Arm whose axes 1, 2 and 3 are parallel.
 
 Inverse kinematics, generated from robots/parallel_123.yaml and templates/python/solver.py.jinja.
@@ -339,27 +339,27 @@ def _solve(pose, q_free, seed, moved, q, status):
         )
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
         K2 = N2 - k16
-        D2 = (longest2 - N2) * (N2 - shortest2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
         apart2 = shortest2_apart < N2 and N2 < longest2_apart
         if not (shortest2_reach <= N2 and N2 <= longest2_reach):
             if near6:
                 status[2 * i1] = _status.NEARLY + 6
-                q[2 * i1, 0] = D2
+                q[2 * i1, 0] = D2_squared
                 q[2 * i1, 1] = v34
             if free6:
                 status[2 * i1] = _status.LOST + 6
-                q[2 * i1, 0] = D2
+                q[2 * i1, 0] = D2_squared
             if free123:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D2
+                q[2 * i1, 0] = D2_squared
             if free123:
                 status[2 * i1] = _status.LOST + 2
-                q[2 * i1, 0] = D2
+                q[2 * i1, 0] = D2_squared
             if free123:
                 status[2 * i1] = _status.LOST + 3
-                q[2 * i1, 0] = D2
+                q[2 * i1, 0] = D2_squared
             continue  # out of reach
-        w2 = math.sqrt(D2 if apart2 else 0.0)
+        w2 = math.sqrt(D2_squared if apart2 else 0.0)
         c2 = K2 * k17
 
         # theta1

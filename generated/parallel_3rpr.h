@@ -8,7 +8,7 @@
  * together. Poses are row-major 4 x 4 matrices of the platform in the base frame, lengths in m,
  * angles in rad. Of a pose its place in the plane of x and y and its yaw count.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 07c20b2bc6956a7a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 07c20b2bc6956a7a
  * SPDX-License-Identifier: MIT
  */
 #ifndef PARALLEL_3RPR_H

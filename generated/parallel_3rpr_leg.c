@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/parallel_3rpr.yaml. The formulas and where they come from:
  * parallel_3rpr_leg.md, of a leg of parallel_3rpr.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 07c20b2bc6956a7a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 07c20b2bc6956a7a
  * SPDX-License-Identifier: MIT
  */
 #include "parallel_3rpr_leg.h"

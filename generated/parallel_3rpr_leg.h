@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, x = T[0, 3] and y = T[1, 3] counts; other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 07c20b2bc6956a7a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 07c20b2bc6956a7a
  * SPDX-License-Identifier: MIT
  */
 #ifndef PARALLEL_3RPR_LEG_H

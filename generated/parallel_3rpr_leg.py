@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 07c20b2bc6956a7a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 07c20b2bc6956a7a
 """parallel_3rpr_leg: Planar platform on three cylinders (3-RPR): a leg.
 
 Inverse kinematics, generated from robots/parallel_3rpr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/parallel_3rrr.yaml. The formulas and where they come from:
  * parallel_3rrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 5e91c3514772707d
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e91c3514772707d
  * SPDX-License-Identifier: MIT
  */
 #include "parallel_3rrr.h"
@@ -47,8 +47,8 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rrr_leg_drives(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta2 */
-    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = dhgen_sqrt_wide(D2);
+    const dhgen_wide N2 = T14 * T14 + T24 * T24, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2_squared);
 
     /* theta1 */
     const dhgen_wide v1 = m2 * (T24 * N2), v2 = m2 * (T14 * N2), v3 = w2 * (m2 * T14),
@@ -59,7 +59,7 @@ DHGEN_INLINE dhgen_wide_mask parallel_3rrr_leg_drives(
     q[1] = dhgen_atan2_wide(v1 + v3, v2 - v4);
     kind[1] = dhgen_kind_wide(q[1]);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (N2 <= doubt_limit_squared2));
+    return (exact == 0) | ((dhgen_abs_wide(D2_squared) <= m1) | (N2 <= doubt_limit_squared2));
 }
 
 DHGEN_ALWAYS

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5e91c3514772707d
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e91c3514772707d
 """parallel_3rrr: Planar platform on three cranks (3-RRR).
 
 Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/python/parallel.py.jinja.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5e91c3514772707d
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5e91c3514772707d
 """parallel_3rrr_leg: Planar platform on three cranks (3-RRR): a leg.
 
 Inverse kinematics, generated from robots/parallel_3rrr.yaml and templates/python/solver.py.jinja.
@@ -112,11 +112,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -158,15 +158,17 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         N2 = T14 * T14 + T24 * T24
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1, v2, v3 = m2 * (T24 * N2), m2 * (T14 * N2), w2 * (m2 * T14)
         v4 = w2 * (m2 * T24)
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D2) <= m1 or N2 <= doubt_limit_squared2 else kept[16 * w + k]
+        kept[16 * w + k] = (
+            1.0 if abs(D2_squared) <= m1 or N2 <= doubt_limit_squared2 else kept[16 * w + k]
+        )
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = w2, v1 - v3, v1 + v3
         turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = N2 - k1, v2 + v4, v2 - v4
     if w == 1 and kept[16] != 0.0:

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/phantomx.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/phantomx.yaml. The formulas and where they come from: phantomx.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d79ae5d065226016
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: d79ae5d065226016
  * SPDX-License-Identifier: MIT
  */
 #include "phantomx.h"
@@ -179,10 +179,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z2_3 = s1 * T24 - v2 * T14 - v5;
     const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
     const double K3 = N3 - k1;
-    const double D3 = (longest3 - N3) * (N3 - shortest3);
+    const double D3_squared = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
     if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) return; /* out of reach */
-    const double w3 = sqrt(apart3 ? D3 : 0.0);
+    const double w3 = sqrt(apart3 ? D3_squared : 0.0);
     const double c3 = K3 * k2;
 
     /* theta2, type 3: U1[1, 4] and U1[2, 4] */
@@ -269,8 +269,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     /* theta3 */
     const dhgen_wide v5 = factor2m3m4 * (a4 * T33), Z1_3 = T34 - d1 - v5,
         v6 = factor2m3m4 * (a4 * T31), Z2_3 = s1 * T24 - v3 * T14 - v6,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_wide(D3), angle2 = dhgen_atan2_wide(w3, N3 - k1);
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_wide(D3_squared), angle2 = dhgen_atan2_wide(w3, N3 - k1);
 
     /* theta2 */
     const dhgen_wide v7 = w3 * (m4 * Z2_3), v8 = w3 * (m4 * -Z2_3), v9 = m4 * (Z1_3 * N3),
@@ -303,10 +303,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[4]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | (((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (N3 <= doubt_limit_squared2) |
-        (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) | (((v23 <= m8) | (v24 <=
-        m8)) & ((exact__p | exact__m) == 0)) | ((m6 < v23) & (v23 <= m7)) | ((m6 < v24) & (v24 <=
-        m7)));
+    return (exact == 0) | (((-m2 <= D3_squared) & (D3_squared <= m3)) | (v4 <= m1) | (N3 <=
+        doubt_limit_squared2) | (m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16) |
+        (((v23 <= m8) | (v24 <= m8)) & ((exact__p | exact__m) == 0)) | ((m6 < v23) & (v23 <= m7)) |
+        ((m6 < v24) & (v24 <= m7)));
 }
 
 #if DHGEN_LANES > 1
@@ -330,7 +330,7 @@ DHGEN_INLINE int solve_regular(
     /* theta3 */
     const double v5 = factor2m3m4 * (a4 * T33), Z1_3 = T34 - d1 - v5, v6 = factor2m3m4 * (a4 * T31),
         Z2_3 = s1 * T24 - v3 * T14 - v6, N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared);
 
     /* theta2 */
     const dhgen_four v7 = w3 * (m4 * (e3 * Z2_3));
@@ -351,8 +351,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v26 = dhgen_only_four(exact_ == 0, v25);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m6 < v21) & (v21
-        <= m7))) | (unsigned)(((-m2 <= D3) & (D3 <= m3)) | (v4 <= m1) | (m5 < T32 * T32 + v12 * v12
-        + v13 * v13 + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2)))
+        <= m7))) | (unsigned)(((-m2 <= D3_squared) & (D3_squared <= m3)) | (v4 <= m1) | (m5 < T32 *
+        T32 + v12 * v12 + v13 * v13 + v14 * v14 + v15 * v15) | (N3 <= doubt_limit_squared2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(T12, T12, T12, T12),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d79ae5d065226016
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: d79ae5d065226016
 """phantomx: Interbotix PhantomX Pincher.
 
 Inverse kinematics, generated from robots/phantomx.yaml and templates/python/solver.py.jinja.
@@ -196,11 +196,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z2_3 = s1 * T24 - v2 * T14 - v5
     N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
     K3 = N3 - k1
-    D3 = (longest3 - N3) * (N3 - shortest3)
+    D3_squared = (longest3 - N3) * (N3 - shortest3)
     apart3 = shortest3_apart < N3 and N3 < longest3_apart
     if not (shortest3_reach <= N3 and N3 <= longest3_reach):
         return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
+    w3 = math.sqrt(D3_squared if apart3 else 0.0)
     c3 = K3 * k2
 
     # theta2, type 3: U1[1, 4] and U1[2, 4]
@@ -281,8 +281,8 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v6 = T34 - d1 - v5, factor2m3m4 * (a4 * T31)
         Z2_3 = s1 * T24 - v3 * T14 - v6
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
         v7, v8, v9 = w3 * (m4 * Z2_3), w3 * (m4 * -Z2_3), m4 * (Z1_3 * N3)
@@ -306,10 +306,10 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if (-m2 <= D3 and D3 <= m3) or v4 <= m1 or N3 <= doubt_limit_squared2 or m5 < T32 *
-            T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16 or ((v23 <= m8 or v24 <= m8) and not
-            (exact__p or exact__m)) or (m6 < v23 and v23 <= m7) or (m6 < v24 and v24 <= m7) else
-            kept[16 * w + k]
+            1.0 if (-m2 <= D3_squared and D3_squared <= m3) or v4 <= m1 or N3 <=
+            doubt_limit_squared2 or m5 < T32 * T32 + v13 * v13 + v14 * v14 + v15 * v15 + v16 * v16
+            or ((v23 <= m8 or v24 <= m8) and not (exact__p or exact__m)) or (m6 < v23 and v23 <= m7)
+            or (m6 < v24 and v24 <= m7) else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3, v30, v31
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = T33, w3, S2_p

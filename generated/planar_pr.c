@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_pr.yaml. The formulas and where they come from:
  * planar_pr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a30db3c244a1600f
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a30db3c244a1600f
  * SPDX-License-Identifier: MIT
  */
 #include "planar_pr.h"
@@ -93,10 +93,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double V1_2 = T24 * k1;
     const double V2_2 = T14 * k1;
     const double v1 = V1_2 * k2 + V2_2 * k3, v2 = k2 * V2_2 - V1_2 * k3;
-    const double D1 = k4 - v2 * v2;
-    const int apart2 = k6 < D1;
-    if (!(-k5 <= D1)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D1 : 0.0);
+    const double D1_squared = k4 - v2 * v2;
+    const int apart2 = k6 < D1_squared;
+    if (!(-k5 <= D1_squared)) return; /* out of reach */
+    const double w2 = sqrt(apart2 ? D1_squared : 0.0);
 
     for (int i1 = 0; i1 < 2; i1++) { /* forward, backward */
         const double e2 = i1 == 0 ? 1.0 : -1.0;
@@ -129,7 +129,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2, r1 */
     const dhgen_wide V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
-        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = dhgen_sqrt_wide(D1),
+        v2 = k2 * V2_2 - k3 * V1_2, D1_squared = k4 - v2 * v2, w2 = dhgen_sqrt_wide(D1_squared),
         v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1, v5 = m2 * w2, v6 = m3 * w2;
 
     q[0] = k7 * (v1 + w2); q[1] = dhgen_atan2_wide(v3 - v5, v4 - v6);
@@ -138,7 +138,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[2]);
     const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | (dhgen_abs_wide(D1) <= m1);
+    return (exact == 0) | (dhgen_abs_wide(D1_squared) <= m1);
 }
 
 #if DHGEN_LANES > 1
@@ -154,12 +154,12 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2, r1 */
     const double V1_2 = k1 * T24, V2_2 = k1 * T14, v1 = k2 * V1_2 + k3 * V2_2,
-        v2 = k2 * V2_2 - k3 * V1_2, D1 = k4 - v2 * v2, w2 = sqrt(D1);
+        v2 = k2 * V2_2 - k3 * V1_2, D1_squared = k4 - v2 * v2, w2 = sqrt(D1_squared);
     const dhgen_four q1 = k7 * (v1 + e2 * w2);
     const double v3 = V1_2 - m2 * v1, v4 = V2_2 - m3 * v1;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7])) <=
-        DHGEN_ORTHONORMAL) == 0)) | (unsigned)(fabs(D1) <= m1))
+        DHGEN_ORTHONORMAL) == 0)) | (unsigned)(fabs(D1_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(v3 - w2 * (m2 * e2), v4 - w2 * (m3 * e2));

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a30db3c244a1600f
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: a30db3c244a1600f
 """planar_pr: Inclined slider with a revolute link.
 
 Inverse kinematics, generated from robots/planar_pr.yaml and templates/python/solver.py.jinja.
@@ -111,11 +111,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     V1_2 = T24 * k1
     V2_2 = T14 * k1
     v1, v2 = V1_2 * k2 + V2_2 * k3, k2 * V2_2 - V1_2 * k3
-    D1 = k4 - v2 * v2
-    apart2 = k6 < D1
-    if not (-k5 <= D1):
+    D1_squared = k4 - v2 * v2
+    apart2 = k6 < D1_squared
+    if not (-k5 <= D1_squared):
         return  # out of reach
-    w2 = math.sqrt(D1 if apart2 else 0.0)
+    w2 = math.sqrt(D1_squared if apart2 else 0.0)
 
     for i1 in range(2):  # forward, backward
         e2 = 1.0 - 2.0 * i1
@@ -143,13 +143,13 @@ def _formulas(kept, turns, rows, w):
         # theta2, r1, type 5: U0[2, 4] and U0[1, 4]
         V1_2, V2_2 = k1 * T24, k1 * T14
         v1, v2 = k2 * V1_2 + k3 * V2_2, k2 * V2_2 - k3 * V1_2
-        D1 = k4 - v2 * v2
-        w2 = math.sqrt(D1)
+        D1_squared = k4 - v2 * v2
+        w2 = math.sqrt(D1_squared)
         q1_p, q1_m, v3 = k7 * (v1 + w2), k7 * (v1 - w2), V1_2 - m2 * v1
         v4, v5, v6 = V2_2 - m3 * v1, m2 * w2, m3 * w2
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D1) <= m1 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if abs(D1_squared) <= m1 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = q1_p, q1_m, v3 - v5
         turns[1 * w + k], turns[8 * w + k], turns[9 * w + k] = v3 + v5, v4 - v6, v4 + v6
     if w == 1 and kept[16] != 0.0:

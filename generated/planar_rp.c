@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_rp.yaml. The formulas and where they come from:
  * planar_rp.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: ec97ac0f8f0d3006
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: ec97ac0f8f0d3006
  * SPDX-License-Identifier: MIT
  */
 #include "planar_rp.h"

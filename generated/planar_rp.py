@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: ec97ac0f8f0d3006
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: ec97ac0f8f0d3006
 """planar_rp: Planar arm with a revolute and a prismatic joint.
 
 Inverse kinematics, generated from robots/planar_rp.yaml and templates/python/solver.py.jinja.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 504a2a1f3e0bc84b
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 504a2a1f3e0bc84b
 """planar_rr: Planar arm with two revolute joints.
 
 Inverse kinematics, generated from robots/planar_rr.yaml and templates/python/solver.py.jinja.
@@ -110,11 +110,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -154,8 +154,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         N2 = T14 * T14 + T24 * T24
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
@@ -163,7 +163,7 @@ def _formulas(kept, turns, rows, w):
         v5 = w2 * (m2 * T24)
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D2) <= m1 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if abs(D2_squared) <= m1 else kept[16 * w + k]
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = w2, v2 - v4, v2 + v4
         turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = N2 - k1, v3 + v5, v3 - v5
     if w == 1 and kept[16] != 0.0:

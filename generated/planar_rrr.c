@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_rrr.yaml. The formulas and where they come from:
  * planar_rrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 4264ea173b1cd0aa
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 4264ea173b1cd0aa
  * SPDX-License-Identifier: MIT
  */
 #include "planar_rrr.h"
@@ -113,10 +113,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double Z2_2 = T24 - v3;
     const double N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2;
     const double K2 = N2 - k1;
-    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const double D2_squared = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double w2 = sqrt(apart2 ? D2_squared : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */
@@ -188,8 +188,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2 */
     const dhgen_wide v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
-        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2 = (longest2 - N2) * (N2 - shortest2),
-        w2 = dhgen_sqrt_wide(D2), angle2 = dhgen_atan2_wide(w2, N2 - k1);
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = dhgen_sqrt_wide(D2_squared), angle2 = dhgen_atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const dhgen_wide v5 = m3 + m2 * N2, v6 = Z2_2 * v5, S1_p = v6 - w2 * (m2 * Z1_2),
@@ -218,9 +218,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[3]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((m6 < T34 * T34) | (dhgen_abs_wide(D2) <= m1) | (m7 < v11 * v11 + T31 *
-        T31 + T23 * T23 + T13 * T13 + v12 * v12) | ((m6 < v17) & (v17 <= m8)) | ((m6 < v18) & (v18
-        <= m8)));
+    return (exact == 0) | ((m6 < T34 * T34) | (dhgen_abs_wide(D2_squared) <= m1) | (m7 < v11 * v11 +
+        T31 * T31 + T23 * T23 + T13 * T13 + v12 * v12) | ((m6 < v17) & (v17 <= m8)) | ((m6 < v18) &
+        (v18 <= m8)));
 }
 
 #if DHGEN_LANES > 1
@@ -239,7 +239,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double v3 = v2 * (a3 * T11), Z1_2 = T14 - v3, v4 = v2 * (a3 * T21), Z2_2 = T24 - v4,
-        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2);
+        N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2, D2_squared = (longest2 - N2) * (N2 - shortest2),
+        w2 = sqrt(D2_squared);
 
     /* theta1 */
     const dhgen_four v5 = e2 * Z1_2;
@@ -263,7 +264,7 @@ DHGEN_INLINE int solve_regular(
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((m6 < v17) & (v17
         <= m8))) | (unsigned)((m6 < T34 * T34) | (m7 < v13 * v13 + T31 * T31 + T23 * T23 + T13 * T13
-        + v14 * v14) | (fabs(D2) <= m1)))
+        + v14 * v14) | (fabs(D2_squared) <= m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(S1,

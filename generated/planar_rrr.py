@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 4264ea173b1cd0aa
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 4264ea173b1cd0aa
 """planar_rrr: Planar arm with three revolute joints.
 
 Inverse kinematics, generated from robots/planar_rrr.yaml and templates/python/solver.py.jinja.
@@ -137,11 +137,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     Z2_2 = T24 - v3
     N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -209,8 +209,8 @@ def _formulas(kept, turns, rows, w):
         Z1_2, v4 = T14 - v3, v2 * (a3 * T21)
         Z2_2 = T24 - v4
         N2 = Z1_2 * Z1_2 + Z2_2 * Z2_2
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v5 = m3 + m2 * N2
@@ -235,9 +235,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if m6 < T34 * T34 or abs(D2) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23 + T13 *
-            T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8) else kept[16 * w
-            + k]
+            1.0 if m6 < T34 * T34 or abs(D2_squared) <= m1 or m7 < v11 * v11 + T31 * T31 + T23 * T23
+            + T13 * T13 + v12 * v12 or (m6 < v17 and v17 <= m8) or (m6 < v18 and v18 <= m8) else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v22, v23, T21
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = w2, S1_p, S1_m

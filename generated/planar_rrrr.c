@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/planar_rrrr.yaml. The formulas and where they come from:
  * planar_rrrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c20903e6caa02128
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c20903e6caa02128
  * SPDX-License-Identifier: MIT
  */
 #include "planar_rrrr.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c20903e6caa02128
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: c20903e6caa02128
 """planar_rrrr: Planar arm with four links, one joint too many twice over.
 
 Inverse kinematics, generated from robots/planar_rrrr.yaml and templates/python/solver.py.jinja.

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/prismatic_2_wrist.yaml. The formulas and where they come from:
  * prismatic_2_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 25f4fcfbeffc6717
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 25f4fcfbeffc6717
  * SPDX-License-Identifier: MIT
  */
 #include "prismatic_2_wrist.h"
@@ -153,11 +153,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const int free1 = N1 <= free_limit_squared2;
     const double wz = T34 - d6 * T33;
     const double Z1 = wz * cat2 - k1;
-    const double D1 = N1 - Z1 * Z1;
+    const double D1_squared = N1 - Z1 * Z1;
     const double v3 = fabs(Z1), v4 = 2.0 * v3;
-    const int apart1 = merge_slack1 * (v4 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v4 + reach_slack1)) < D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const int apart1 = merge_slack1 * (v4 + merge_slack1) < D1_squared;
+    if (!(-(reach_slack1 * (v4 + reach_slack1)) < D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v3 * sqrt(N1)));
     const double v5 = v1 * Z1, v6 = v2 * Z1;
     const int near1 = N1 <= near_limit_squared2;
@@ -167,11 +167,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta3, type 2: U0 A6^-1 [3, 4] */
     const double Z3 = wz - k5;
-    const double D3 = k4 - Z3 * Z3;
+    const double D3_squared = k4 - Z3 * Z3;
     const double v9 = 2.0 * fabs(Z3);
-    const int apart3 = merge_slack1 * (merge_slack1 + v9) < D3;
-    if (!(-(reach_slack1 * (reach_slack1 + v9)) < D3)) return; /* out of reach */
-    const double w3 = sqrt(apart3 ? D3 : 0.0);
+    const int apart3 = merge_slack1 * (merge_slack1 + v9) < D3_squared;
+    if (!(-(reach_slack1 * (reach_slack1 + v9)) < D3_squared)) return; /* out of reach */
+    const double w3 = sqrt(apart3 ? D3_squared : 0.0);
     const double v10 = k2 * Z3, v11 = k3 * Z3;
 
     /* theta4, type 2: U4[3, 3] */
@@ -187,12 +187,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double ahead1 = near1 ? root1 * v7 : -1.0;
+        const double D1 = w1 * e1;
+        const double ahead1 = near1 ? D1 * v7 : -1.0;
         const int same1 = near1 && 0.0 <= ahead1 && v8;
         const int held1 = free1 || same1;
-        const double c1 = held1 ? cos(seed[0]) : inverse1 * (v1 * root1 - v6),
-            s1 = held1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * root1));
+        const double c1 = held1 ? cos(seed[0]) : inverse1 * (v1 * D1 - v6),
+            s1 = held1 ? sin(seed[0]) : -(inverse1 * (v5 + v2 * D1));
         const double q1 = atan2(s1, c1);
 
         /* r2, type 1: U1 A6^-1 [3, 4] */
@@ -210,11 +210,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
-            if (e3 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) < D3))))
+            if (e3 < 0.0 && (!apart3 || (near1 && !(blur_slack1 * (blur_slack1 + v9) <
+                D3_squared))))
                 continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double v12 = k6 * (v11 + k2 * root3);
-            const double s3 = k6 * (v10 - k3 * root3);
+            const double D3 = w3 * e3;
+            const double v12 = k6 * (v11 + k2 * D3);
+            const double s3 = k6 * (v10 - k3 * D3);
             const double q3 = atan2(s3, -v12);
 
             /* r2 */
@@ -280,15 +281,16 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
-        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
-        w1 = dhgen_sqrt_wide(D1), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v4 = v1 * Z1,
-        v5 = v2 * Z1, v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1), c1_p = v7 - v6, v8 = v6 + v7,
-        v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10, v12 = v9 - v10;
+        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1_squared = N1 - Z1 * Z1,
+        w1 = dhgen_sqrt_wide(D1_squared), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v4 = v1 * Z1, v5 = v2 * Z1, v6 = inverse1 * v5, v7 = w1 * (v1 * inverse1), c1_p = v7 - v6,
+        v8 = v6 + v7, v9 = inverse1 * v4, v10 = w1 * (v2 * inverse1), v11 = v9 + v10,
+        v12 = v9 - v10;
 
     /* theta3 */
-    const dhgen_wide Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = dhgen_sqrt_wide(D3), v13 = w3 - w3,
-        v14 = m5 * wz - m4, v15 = m3 * w3, v16 = v14 + v15, v17 = v14 - v15, v18 = m3 * wz - m6,
-        v19 = m5 * w3, s3_p = v18 - v19, s3_m = v18 + v19;
+    const dhgen_wide Z3 = wz - k5, D3_squared = k4 - Z3 * Z3, w3 = dhgen_sqrt_wide(D3_squared),
+        v13 = w3 - w3, v14 = m5 * wz - m4, v15 = m3 * w3, v16 = v14 + v15, v17 = v14 - v15,
+        v18 = m3 * wz - m6, v19 = m5 * w3, s3_p = v18 - v19, s3_m = v18 + v19;
 
     /* r2 */
     const dhgen_wide v20 = a3 * s3_p - d4 * v16, v21 = a3 * s3_m - d4 * v17,
@@ -367,9 +369,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1 * (merge_slack1 + 2.0 * dhgen_abs_wide(Z1))) |
-        (N1 <= doubt_limit_squared2) | (dhgen_abs_wide(D3) <= m2 * (blur_slack1 + 2.0 *
-        dhgen_abs_wide(Z3))) | (v43 <= m7) | (v42 <= m7) | (v40 <= m7) | (v41 <= m7));
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1 * (merge_slack1 + 2.0 *
+        dhgen_abs_wide(Z1))) | (N1 <= doubt_limit_squared2) | (dhgen_abs_wide(D3_squared) <= m2 *
+        (blur_slack1 + 2.0 * dhgen_abs_wide(Z3))) | (v43 <= m7) | (v42 <= m7) | (v40 <= m7) | (v41
+        <= m7));
 }
 
 #if DHGEN_LANES > 1
@@ -386,15 +389,16 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double wy = T24 - d6 * T23, v1 = sat2 * wy, wx = T14 - d6 * T13, v2 = sat2 * wx,
-        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1 = N1 - Z1 * Z1,
-        w1 = sqrt(D1), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v4 = v1 * Z1, v5 = v2 * Z1,
-        v6 = inverse1 * v5;
+        N1 = v1 * v1 + v2 * v2, wz = T34 - d6 * T33, Z1 = cat2 * wz - k1, D1_squared = N1 - Z1 * Z1,
+        w1 = sqrt(D1_squared), v3 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v4 = v1 * Z1,
+        v5 = v2 * Z1, v6 = inverse1 * v5;
     const dhgen_four c1 = w1 * (inverse1 * (e1 * v1)) - v6;
     const double v7 = inverse1 * v4;
     const dhgen_four v8 = v7 + w1 * (inverse1 * (e1 * v2));
 
     /* theta3 */
-    const double Z3 = wz - k5, D3 = k4 - Z3 * Z3, w3 = sqrt(D3), v9 = w3 - w3, v10 = m5 * wz - m4;
+    const double Z3 = wz - k5, D3_squared = k4 - Z3 * Z3, w3 = sqrt(D3_squared), v9 = w3 - w3,
+        v10 = m5 * wz - m4;
     const dhgen_four v11 = v10 + w3 * (m3 * e3);
     const double v12 = m3 * wz - m6;
     const dhgen_four s3 = v12 - w3 * (m5 * e3);
@@ -428,8 +432,8 @@ DHGEN_INLINE int solve_regular(
         v51 = v25 * (s3 * v50 - v11 * v49) + X4 * v44;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v27 <= m7)) |
-        (unsigned)((fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1))) | (fabs(D3) <= m2 *
-        (blur_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2)))
+        (unsigned)((fabs(D1_squared) <= m1 * (merge_slack1 + 2.0 * fabs(Z1))) | (fabs(D3_squared) <=
+        m2 * (blur_slack1 + 2.0 * fabs(Z3))) | (N1 <= doubt_limit_squared2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(s3, -v11),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 25f4fcfbeffc6717
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 25f4fcfbeffc6717
 """prismatic_2_wrist: Slide as joint 2, spherical wrist.
 
 Inverse kinematics, generated from robots/prismatic_2_wrist.yaml and
@@ -188,13 +188,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     free1 = N1 <= free_limit_squared2
     wz = T34 - d6 * T33
     Z1 = wz * cat2 - k1
-    D1 = N1 - Z1 * Z1
+    D1_squared = N1 - Z1 * Z1
     v3 = abs(Z1)
     v4 = 2.0 * v3
-    apart1 = merge_slack1 * (v4 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v4 + reach_slack1)) < D1):
+    apart1 = merge_slack1 * (v4 + merge_slack1) < D1_squared
+    if not (-(reach_slack1 * (v4 + reach_slack1)) < D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v3 * math.sqrt(N1)))
     v5, v6 = v1 * Z1, v2 * Z1
     near1 = N1 <= near_limit_squared2
@@ -204,12 +204,12 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta3, type 2: U0 A6^-1 [3, 4]
     Z3 = wz - k5
-    D3 = k4 - Z3 * Z3
+    D3_squared = k4 - Z3 * Z3
     v9 = 2.0 * abs(Z3)
-    apart3 = merge_slack1 * (merge_slack1 + v9) < D3
-    if not (-(reach_slack1 * (reach_slack1 + v9)) < D3):
+    apart3 = merge_slack1 * (merge_slack1 + v9) < D3_squared
+    if not (-(reach_slack1 * (reach_slack1 + v9)) < D3_squared):
         return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
+    w3 = math.sqrt(D3_squared if apart3 else 0.0)
     v10, v11 = k2 * Z3, k3 * Z3
 
     # theta4, type 2: U4[3, 3]
@@ -227,12 +227,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
-        root1 = w1 * e1
-        ahead1 = root1 * v7 if near1 else -1.0
+        D1 = w1 * e1
+        ahead1 = D1 * v7 if near1 else -1.0
         same1 = near1 and 0.0 <= ahead1 and v8
         held1 = free1 or same1
-        c1 = math.cos(seed[0]) if held1 else inverse1 * (v1 * root1 - v6)
-        s1 = math.sin(seed[0]) if held1 else -(inverse1 * (v5 + v2 * root1))
+        c1 = math.cos(seed[0]) if held1 else inverse1 * (v1 * D1 - v6)
+        s1 = math.sin(seed[0]) if held1 else -(inverse1 * (v5 + v2 * D1))
         q1 = _atan2(s1, c1)
 
         # r2, type 1: U1 A6^-1 [3, 4]
@@ -249,11 +249,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         for i2 in range(2):  # elbow+, elbow-
             e3 = 1.0 - 2.0 * i2
             # theta3
-            if e3 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) < D3))):
+            if (
+                e3 < 0.0 and (not apart3 or (near1 and not (blur_slack1 * (blur_slack1 + v9) <
+                D3_squared)))
+            ):
                 continue  # both signs give the same
-            root3 = w3 * e3
-            v12 = k6 * (v11 + k2 * root3)
-            s3 = k6 * (v10 - k3 * root3)
+            D3 = w3 * e3
+            v12 = k6 * (v11 + k2 * D3)
+            s3 = k6 * (v10 - k3 * D3)
             q3 = _atan2(s3, -v12)
 
             # r2
@@ -311,8 +314,8 @@ def _formulas(kept, turns, rows, w):
         v2 = sat2 * wx
         N1, wz = v1 * v1 + v2 * v2, T34 - d6 * T33
         Z1 = cat2 * wz - k1
-        D1 = N1 - Z1 * Z1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - Z1 * Z1
+        w1 = math.sqrt(D1_squared)
         v3, inverse1, v4 = w1 - w1, 1.0 / N1, v1 * Z1
         v5 = v2 * Z1
         v6, v7 = inverse1 * v5, w1 * (v1 * inverse1)
@@ -322,8 +325,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 2: U0 A6^-1 [3, 4]
         Z3 = wz - k5
-        D3 = k4 - Z3 * Z3
-        w3 = math.sqrt(D3)
+        D3_squared = k4 - Z3 * Z3
+        w3 = math.sqrt(D3_squared)
         v13, v14, v15 = w3 - w3, m5 * wz - m4, m3 * w3
         v16, v17, v18 = v14 + v15, v14 - v15, m3 * wz - m6
         v19 = m5 * w3
@@ -372,9 +375,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <= doubt_limit_squared2 or
-            abs(D3) <= m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <= m7 or v42 <= m7 or v40 <= m7 or
-            v41 <= m7 else kept[16 * w + k]
+            1.0 if abs(D1_squared) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or N1 <=
+            doubt_limit_squared2 or abs(D3_squared) <= m2 * (blur_slack1 + 2.0 * abs(Z3)) or v43 <=
+            m7 or v42 <= m7 or v40 <= m7 or v41 <= m7 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v3, v13, v20
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v21, v22, v44

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma.yaml. The formulas and where they come from: puma.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: cd4e6518e19091b2
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: cd4e6518e19091b2
  * SPDX-License-Identifier: MIT
  */
 #include "puma.h"
@@ -143,10 +143,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double t24 = T24 + D3 * T21 + k1 * T23;
     const double t14 = T14 + D3 * T11 + k1 * T13;
     const double N1 = t24 * t24 + t14 * t14;
-    const double D1 = N1 - k2;
-    const int apart1 = k4 < D1;
-    if (!(-k3 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k2;
+    const int apart1 = k4 < D1_squared;
+    if (!(-k3 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k5;
     const double inverse1 = 1.0 / (apart1 ? N1 : D3 * sqrt(N1));
     const double v2 = D3 * t24, v3 = D3 * t14;
@@ -159,22 +159,22 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v3 + t24 * root1), s1 = inverse1 * (v2 - t14 * root1);
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v3 + t24 * D1), s1 = inverse1 * (v2 - t14 * D1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v4 + root1 * root1;
+        const double N3 = v4 + D1 * D1;
         const double K3 = N3 - k6;
-        const double D3_ = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3_)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3_ : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k7;
 
         /* theta2, type 3: U1[3, 4] and U1[2, 4] */
         const double Y1_2 = L2 + D4 * c3;
-        const double v6 = root1 * Y1_2, v8 = t34 * Y1_2;
+        const double v6 = D1 * Y1_2, v8 = t34 * Y1_2;
 
         /* theta4, type 2: U4[1, 3] */
         const double v9 = T13 * s1 - T23 * c1, v10 = T13 * c1 + T23 * s1, v11 = v10 * v10;
@@ -192,7 +192,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double v5 = D4 * s3, v7 = t34 * v5 + v6;
-            const double C2 = v8 - root1 * v5;
+            const double C2 = v8 - D1 * v5;
             const double w2 = sqrt(v7 * v7 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -262,15 +262,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
-        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1,
-        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (D3 * t14), v3 = w1 * (t24 * inverse1),
-        c1_p = v2 + v3, c1_m = v2 - v3, v4 = inverse1 * (D3 * t24), v5 = w1 * (t14 * inverse1),
-        s1_p = v4 - v5, s1_m = v4 + v5;
+        N1 = t24 * t24 + t14 * t14, D1_squared = N1 - k2, w1 = dhgen_sqrt_wide(D1_squared),
+        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (D3 * t14),
+        v3 = w1 * (t24 * inverse1), c1_p = v2 + v3, c1_m = v2 - v3, v4 = inverse1 * (D3 * t24),
+        v5 = w1 * (t14 * inverse1), s1_p = v4 - v5, s1_m = v4 + v5;
 
     /* theta3 */
-    const dhgen_wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
-        D3_ = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_), v6 = w3 - w3,
-        angle1 = dhgen_atan2_wide(w3, N3 - k6);
+    const dhgen_wide t34 = T34 + D3 * T31 + k1 * T33, N3 = D1_squared + t34 * t34,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v6 = w3 - w3, angle1 = dhgen_atan2_wide(w3, N3 - k6);
 
     /* theta2 */
     const dhgen_wide v7 = w3 * (m3 * t34), v8 = m3 * (w1 * N3), v9 = v7 + v8, v10 = v8 - v7,
@@ -352,8 +352,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v31 <= m7) | (v30 <= m7) | (v16 <= m4) | (v29 <= m7) | (v15 <= m4) |
-        (v28 <= m7) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3_ * (k5 * w1)) <= m2) | (v13 <=
-        m4));
+        (v28 <= m7) | (dhgen_abs_wide(D1_squared) <= m1) | (dhgen_abs_wide(D3_squared * (k5 * w1))
+        <= m2) | (v13 <= m4));
 }
 
 #if DHGEN_LANES > 1
@@ -370,15 +370,15 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double t24 = T24 + D3 * T21 + k1 * T23, t14 = T14 + D3 * T11 + k1 * T13,
-        N1 = t24 * t24 + t14 * t14, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1,
+        N1 = t24 * t24 + t14 * t14, D1_squared = N1 - k2, w1 = sqrt(D1_squared), v1 = w1 - w1,
         inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (D3 * t14);
     const dhgen_four c1 = v2 + w1 * (inverse1 * (e1 * t24));
     const double v3 = inverse1 * (D3 * t24);
     const dhgen_four s1 = v3 - w1 * (inverse1 * (e1 * t14));
 
     /* theta3 */
-    const double t34 = T34 + D3 * T31 + k1 * T33, N3 = D1 + t34 * t34,
-        D3_ = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_), v4 = w3 - w3;
+    const double t34 = T34 + D3 * T31 + k1 * T33, N3 = D1_squared + t34 * t34,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v4 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v5 = w3 * (m3 * (e3 * t34)), v6 = m3 * (w1 * (e1 * N3)), v7 = v5 + v6,
@@ -403,7 +403,7 @@ DHGEN_INLINE int solve_regular(
         v25 = v17 * (s23 * T32 - c23 * v22) + X4 * v21;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v10 <= m4) |
-        (v19 <= m7))) | (unsigned)((fabs(D1) <= m1) | (fabs(D3_ * (k5 * w1)) <= m2)))
+        (v19 <= m7))) | (unsigned)((fabs(D1_squared) <= m1) | (fabs(D3_squared * (k5 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: cd4e6518e19091b2
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: cd4e6518e19091b2
 """puma: PUMA in its reference position.
 
 Inverse kinematics, generated from robots/puma.yaml and templates/python/solver.py.jinja.
@@ -183,11 +183,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     t24 = T24 + D3 * T21 + k1 * T23
     t14 = T14 + D3 * T11 + k1 * T13
     N1 = t24 * t24 + t14 * t14
-    D1 = N1 - k2
-    apart1 = k4 < D1
-    if not (-k3 <= D1):
+    D1_squared = N1 - k2
+    apart1 = k4 < D1_squared
+    if not (-k3 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k5
     inverse1 = 1.0 / (N1 if apart1 else D3 * math.sqrt(N1))
     v2, v3 = D3 * t24, D3 * t14
@@ -201,23 +201,23 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v3 + t24 * root1), inverse1 * (v2 - t14 * root1)
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v3 + t24 * D1), inverse1 * (v2 - t14 * D1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v4 + root1 * root1
+        N3 = v4 + D1 * D1
         K3 = N3 - k6
-        D3_ = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3_):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3_ if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k7
 
         # theta2, type 3: U1[3, 4] and U1[2, 4]
         Y1_2 = L2 + D4 * c3
-        v6, v8 = root1 * Y1_2, t34 * Y1_2
+        v6, v8 = D1 * Y1_2, t34 * Y1_2
 
         # theta4, type 2: U4[1, 3]
         v9, v10 = T13 * s1 - T23 * c1, T13 * c1 + T23 * s1
@@ -238,7 +238,7 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta2
             v5 = D4 * s3
             v7 = t34 * v5 + v6
-            C2 = v8 - root1 * v5
+            C2 = v8 - D1 * v5
             w2 = math.sqrt(v7 * v7 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -297,8 +297,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[1, 4]
         t24, t14 = T24 + D3 * T21 + k1 * T23, T14 + D3 * T11 + k1 * T13
         N1 = t24 * t24 + t14 * t14
-        D1 = N1 - k2
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k2
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = w1 - w1, 1.0 / N1
         v2, v3 = inverse1 * (D3 * t14), w1 * (t24 * inverse1)
         c1_p, c1_m, v4 = v2 + v3, v2 - v3, inverse1 * (D3 * t24)
@@ -307,9 +307,9 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U1[3, 4] and U1[2, 4]
         t34 = T34 + D3 * T31 + k1 * T33
-        N3 = D1 + t34 * t34
-        D3_ = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3_)
+        N3 = D1_squared + t34 * t34
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v6 = w3 - w3
 
         # theta2, type 3: U1[3, 4] and U1[2, 4]
@@ -352,7 +352,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v31 <= m7 or v30 <= m7 or v16 <= m4 or v29 <= m7 or v15 <= m4 or v28 <= m7 or
-            abs(D1) <= m1 or abs(D3_ * (k5 * w1)) <= m2 or v13 <= m4 else kept[16 * w + k]
+            abs(D1_squared) <= m1 or abs(D3_squared * (k5 * w1)) <= m2 or v13 <= m4 else kept[16 * w
+            + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v32
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v33, v44, v45

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c347f76f4868f211
  * SPDX-License-Identifier: MIT
  */
 #include "puma560.h"
@@ -139,10 +139,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
     const double v2 = T14 * d3, v3 = T24 * d3;
@@ -155,17 +155,17 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (T14 * root1 - v3), s1 = inverse1 * (v2 + T24 * root1);
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (T14 * D1 - v3), s1 = inverse1 * (v2 + T24 * D1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v4 + root1 * root1;
+        const double N3 = v4 + D1 * D1;
         const double K3 = N3 - k7;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -181,15 +181,15 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (k6 * D3 - v5) * k8, c3 = k8 * (v6 + k5 * D3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + (a3 * c3 - d4 * s3);
             const double Y1_2 = d4 * c3 + a3 * s3;
-            const double S2 = Z1_3 * X1_2 - root1 * Y1_2;
-            const double C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const double S2 = Z1_3 * X1_2 - D1 * Y1_2;
+            const double C2 = D1 * X1_2 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -259,18 +259,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1),
-        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * T24),
-        v3 = w1 * (T14 * inverse1), c1_p = v3 - v2, v4 = v2 + v3, v5 = inverse1 * (d3 * T14),
-        v6 = w1 * (T24 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
+    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1_squared = N1 - k1,
+        w1 = dhgen_sqrt_wide(D1_squared), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1), c1_p = v3 - v2, v4 = v2 + v3,
+        v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
         angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v7 = w3 - w3,
-        v8 = m4 - m5 * N3, v9 = m3 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m3 * N3 - m6,
-        v11 = m5 * w3, c3_p = v10 + v11, c3_m = v10 - v11, angle3 = dhgen_atan2_wide(w3, N3 - k7),
-        q3__p = angle3 - turn1, v12 = turn1 + angle3;
+    const dhgen_wide Z1_3 = T34 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v7 = w3 - w3, v8 = m4 - m5 * N3, v9 = m3 * w3, s3_p = v8 + v9, s3_m = v8 - v9,
+        v10 = m3 * N3 - m6, v11 = m5 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        angle3 = dhgen_atan2_wide(w3, N3 - k7), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
     const dhgen_wide X1_2 = m7 * N3 - m8, v13 = Z1_3 * X1_2, v14 = w3 * (m7 * w1),
@@ -365,10 +365,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], outside_mmp);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= m2) | (dhgen_abs_wide(D1) <= m1) |
-        (v31 <= m9) | (v30 <= m9) | (v28 <= m9) | (v29 <= m9)) | (dhgen_within_slack_wide(excess_mm)
-        | dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
-        dhgen_within_slack_wide(excess_pm));
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared * (k4 * w1)) <= m2) |
+        (dhgen_abs_wide(D1_squared) <= m1) | (v31 <= m9) | (v30 <= m9) | (v28 <= m9) | (v29 <= m9))
+        | (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -384,15 +384,16 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = sqrt(D1), v1 = w1 - w1,
-        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * T24);
+    const double N1 = T14 * T14 + T24 * T24, D1_squared = N1 - k1, w1 = sqrt(D1_squared),
+        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * T24);
     const dhgen_four c1 = w1 * (inverse1 * (e1 * T14)) - v2;
     const double v3 = inverse1 * (d3 * T14);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * T24));
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v4 = w3 - w3, v5 = m4 - m5 * N3;
+    const double Z1_3 = T34 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v4 = w3 - w3,
+        v5 = m4 - m5 * N3;
     const dhgen_four s3 = v5 + w3 * (m3 * e3);
     const double v6 = m3 * N3 - m6;
     const dhgen_four c3 = v6 + w3 * (m5 * e3);
@@ -413,7 +414,7 @@ DHGEN_INLINE int solve_regular(
         v17 = s1 * T11 - c1 * T21, v18 = c1 * T11 + s1 * T21;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v13 <= m9)) |
-        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (fabs(D3_squared * (k4 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: c347f76f4868f211
 """puma560: Unimation PUMA 560.
 
 Inverse kinematics, generated from robots/puma560.yaml and templates/python/solver.py.jinja.
@@ -187,11 +187,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
     v2, v3 = T14 * d3, T24 * d3
@@ -205,18 +205,18 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (T14 * root1 - v3), inverse1 * (v2 + T24 * root1)
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (T14 * D1 - v3), inverse1 * (v2 + T24 * D1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v4 + root1 * root1
+        N3 = v4 + D1 * D1
         K3 = N3 - k7
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v5, v6 = k5 * K3, k6 * K3
 
         # theta4, type 2: U4[3, 3]
@@ -233,15 +233,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (k6 * root3 - v5) * k8, k8 * (v6 + k5 * root3)
+            D3 = w3 * e3
+            s3, c3 = (k6 * D3 - v5) * k8, k8 * (v6 + k5 * D3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
             X1_2 = a2 + (a3 * c3 - d4 * s3)
             Y1_2 = d4 * c3 + a3 * s3
-            S2 = Z1_3 * X1_2 - root1 * Y1_2
-            C2 = root1 * X1_2 + Z1_3 * Y1_2
+            S2 = Z1_3 * X1_2 - D1 * Y1_2
+            C2 = D1 * X1_2 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -298,8 +298,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
-        D1 = N1 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = w1 - w1, 1.0 / N1
         v2, v3 = inverse1 * (d3 * T24), w1 * (T14 * inverse1)
         c1_p, v4, v5 = v3 - v2, v2 + v3, inverse1 * (d3 * T14)
@@ -308,9 +308,9 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
         Z1_3 = T34 - d1
-        N3 = D1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        N3 = D1_squared + Z1_3 * Z1_3
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v7, v8, v9 = w3 - w3, m4 - m5 * N3, m3 * w3
         s3_p, s3_m, v10 = v8 + v9, v8 - v9, m3 * N3 - m6
         v11 = m5 * w3
@@ -348,8 +348,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D3 * (k4 * w1)) <= m2 or abs(D1) <= m1 or v31 <= m9 or v30 <= m9 or v28 <= m9
-            or v29 <= m9 else kept[16 * w + k]
+            1.0 if abs(D3_squared * (k4 * w1)) <= m2 or abs(D1_squared) <= m1 or v31 <= m9 or v30 <=
+            m9 or v28 <= m9 or v29 <= m9 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v7, c23_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_pm, s23_pp, s23_pm

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/puma560_calibrated.yaml. The formulas and where they come from:
  * puma560_calibrated.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 4de49b258340e29c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 4de49b258340e29c
  * SPDX-License-Identifier: MIT
  */
 #include "puma560_calibrated.h"
@@ -327,13 +327,13 @@ static const double
  * all that are in lanes. */
 #define KNOWN(number) \
     /* theta1 */ \
-    const dhgen_##number N1 = T14 * T14 + T24 * T24, D1 = N1 - near_k1, \
-        w1 = dhgen_sqrt_##number(D1), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
+    const dhgen_##number N1 = T14 * T14 + T24 * T24, D1_squared = N1 - near_k1, \
+        w1 = dhgen_sqrt_##number(D1_squared), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), \
         v2 = near_d3 * T24, v3 = inverse1 * v2, v6 = near_d3 * T14, v7 = inverse1 * v6; \
     /* theta3 */ \
-    const dhgen_##number N3 = D1 + T34 * T34, v10 = near_longest3 - N3, v11 = N3 - near_shortest3, \
-        D3 = v10 * v11, w3 = dhgen_sqrt_##number(D3), v12 = w3 - w3, v13 = near_m5 * N3 - near_m4, \
-        v15 = near_m6 - near_m3 * N3; \
+    const dhgen_##number N3 = D1_squared + T34 * T34, v10 = near_longest3 - N3, \
+        v11 = N3 - near_shortest3, D3_squared = v10 * v11, w3 = dhgen_sqrt_##number(D3_squared), \
+        v12 = w3 - w3, v13 = near_m5 * N3 - near_m4, v15 = near_m6 - near_m3 * N3; \
     /* theta2 */ \
     const dhgen_##number X1_2 = near_m7 * N3 - near_m8, v17 = T34 * X1_2, \
         factor2 = DHGEN_QUOTIENT(1.0, N3); \
@@ -471,9 +471,10 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta3 */
     const dhgen_wide angle1 = dhgen_atan2_wide(w3, N3 - near_k7);
-    left |= (dhgen_abs_wide(v50 + (D3 + D3)) <= v50) | (dhgen_abs_wide(v41 + (D1 + D1)) <= v41) |
-        (dhgen_abs_wide(N1) <= v39) | (v51 <= v45) | (dhgen_abs_wide(D3 * (near_k4 * w1)) <=
-        near_m2) | (dhgen_abs_wide(D1) <= near_m1);
+    left |= (dhgen_abs_wide(v50 + (D3_squared + D3_squared)) <= v50) | (dhgen_abs_wide(v41 +
+        (D1_squared + D1_squared)) <= v41) | (dhgen_abs_wide(N1) <= v39) | (v51 <= v45) |
+        (dhgen_abs_wide(D3_squared * (near_k4 * w1)) <= near_m2) | (dhgen_abs_wide(D1_squared) <=
+        near_m1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -566,9 +567,10 @@ DHGEN_INLINE int solve_regular(
             dhgen_sqrt_four(v211 * v211 + v212 * v212 + v213 * v213));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v27 <= near_m9)
-        | (dhgen_abs_four(v27) <= v215 + v214 * v214))) | (unsigned)((fabs(v50 + (D3 + D3)) <= v50)
-        | (fabs(v41 + (D1 + D1)) <= v41) | (fabs(N1) <= v39) | (v51 <= v45) | (fabs(D3 * (near_k4 *
-        w1)) <= near_m2) | (fabs(D1) <= near_m1)))
+        | (dhgen_abs_four(v27) <= v215 + v214 * v214))) | (unsigned)((fabs(v50 + (D3_squared +
+        D3_squared)) <= v50) | (fabs(v41 + (D1_squared + D1_squared)) <= v41) | (fabs(N1) <= v39) |
+        (v51 <= v45) | (fabs(D3_squared * (near_k4 * w1)) <= near_m2) | (fabs(D1_squared) <=
+        near_m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, dhgen_all_four(w3), 0, 5,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 4de49b258340e29c
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 4de49b258340e29c
 """puma560_calibrated: PUMA 560 with calibration noise of 1e-3.
 
 Inverse kinematics, generated from robots/puma560_calibrated.yaml and
@@ -383,8 +383,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
-        D1 = N1 - near_k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - near_k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1, v2 = w1 - w1, 1.0 / N1, near_d3 * T24
         v3, v4 = inverse1 * v2, T14 * inverse1
         v5 = w1 * v4
@@ -394,10 +394,10 @@ def _formulas(kept, turns, rows, w):
         s1_p, s1_m = v8 + v10, v8 - v10
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
-        N3 = D1 + T34 * T34
+        N3 = D1_squared + T34 * T34
         v11, v12 = near_longest3 - N3, N3 - near_shortest3
-        D3 = v11 * v12
-        w3 = math.sqrt(D3)
+        D3_squared = v11 * v12
+        w3 = math.sqrt(D3_squared)
         v13, v14, v15 = w3 - w3, near_m5 * N3 - near_m4, near_m3 * w3
         s3_p, s3_m, v16 = v14 - v15, v14 + v15, near_m6 - near_m3 * N3
         v17 = near_m5 * w3
@@ -656,11 +656,12 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[18 * w + k] = (
-            1.0 if abs(v65 + (D3 + D3)) <= v65 or abs(v56 + (D1 + D1)) <= v56 or abs(N1) <= v54 or
-            v66 <= v60 or abs(D1) <= near_m1 or abs(v37) <= v372 + v370 * v370 or v37 <= near_m9 or
-            abs(v36) <= v372 + v369 * v369 or v36 <= near_m9 or abs(v35) <= v371 + v368 * v368 or
-            v35 <= near_m9 or abs(v34) <= v371 + v367 * v367 or abs(D3 * (near_k4 * w1)) <= near_m2
-            or v34 <= near_m9 else kept[18 * w + k]
+            1.0 if abs(v65 + (D3_squared + D3_squared)) <= v65 or abs(v56 + (D1_squared +
+            D1_squared)) <= v56 or abs(N1) <= v54 or v66 <= v60 or abs(D1_squared) <= near_m1 or
+            abs(v37) <= v372 + v370 * v370 or v37 <= near_m9 or abs(v36) <= v372 + v369 * v369 or
+            v36 <= near_m9 or abs(v35) <= v371 + v368 * v368 or v35 <= near_m9 or abs(v34) <= v371 +
+            v367 * v367 or abs(D3_squared * (near_k4 * w1)) <= near_m2 or v34 <= near_m9 else
+            kept[18 * w + k]
         )
         kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = v1, v13, v38
         kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v39, s6_pp, s6_pm

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma560.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma560.yaml. The formulas and where they come from: puma560.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c347f76f4868f211
  * SPDX-License-Identifier: MIT
  */
 #include "puma560_f32.h"
@@ -2009,10 +2009,10 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
 
     /* theta1, type 2: U1[3, 4] */
     const float N1 = T14 * T14 + T24 * T24;
-    const float D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const float w1 = sqrtf(apart1 ? D1 : 0.0f);
+    const float D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const float w1 = sqrtf(apart1 ? D1_squared : 0.0f);
     const float v1 = (apart1 ? w1 : least_root1) * k4;
     const float inverse1 = 1.0f / (apart1 ? N1 : d3 * sqrtf(N1));
     const float v2 = T14 * d3, v3 = T24 * d3;
@@ -2025,17 +2025,17 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
         const float e1 = i1 == 0 ? 1.0f : -1.0f;
         /* theta1 */
         if (e1 < 0.0f && !apart1) continue; /* both signs give the same */
-        const float root1 = w1 * e1;
-        const float c1 = inverse1 * (T14 * root1 - v3), s1 = inverse1 * (v2 + T24 * root1);
+        const float D1 = w1 * e1;
+        const float c1 = inverse1 * (T14 * D1 - v3), s1 = inverse1 * (v2 + T24 * D1);
         const float q1 = atan2f(s1, c1);
 
         /* theta3 */
-        const float N3 = v4 + root1 * root1;
+        const float N3 = v4 + D1 * D1;
         const float K3 = N3 - k7;
-        const float D3 = (longest3 - N3) * (N3 - shortest3);
+        const float D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const float w3 = sqrtf(apart3 ? D3 : 0.0f);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const float w3 = sqrtf(apart3 ? D3_squared : 0.0f);
         const float v5 = k5 * K3, v6 = k6 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -2051,15 +2051,15 @@ DHGEN_FN void solve(const float *T, const float *free_joints, const float *seed,
             const float e3 = i2 == 0 ? 1.0f : -1.0f;
             /* theta3 */
             if (e3 < 0.0f && !apart3) continue; /* both signs give the same */
-            const float root3 = w3 * e3;
-            const float s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
+            const float D3 = w3 * e3;
+            const float s3 = (k6 * D3 - v5) * k8, c3 = k8 * (v6 + k5 * D3);
             const float q3 = atan2f(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const float X1_2 = a2 + (a3 * c3 - d4 * s3);
             const float Y1_2 = d4 * c3 + a3 * s3;
-            const float S2 = Z1_3 * X1_2 - root1 * Y1_2;
-            const float C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const float S2 = Z1_3 * X1_2 - D1 * Y1_2;
+            const float C2 = D1 * X1_2 + Z1_3 * Y1_2;
             const float w2 = sqrtf(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const float factor2 = 1.0f / (free2 ? 1.0f : w2);
@@ -2128,18 +2128,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1),
-        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0f, N1), v2 = inverse1 * (d3 * T24),
-        v3 = w1 * (T14 * inverse1), c1_p = v3 - v2, v4 = v2 + v3, v5 = inverse1 * (d3 * T14),
-        v6 = w1 * (T24 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
+    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1_squared = N1 - k1,
+        w1 = dhgen_sqrt_wide(D1_squared), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0f, N1),
+        v2 = inverse1 * (d3 * T24), v3 = w1 * (T14 * inverse1), c1_p = v3 - v2, v4 = v2 + v3,
+        v5 = inverse1 * (d3 * T14), v6 = w1 * (T24 * inverse1), s1_p = v5 + v6, s1_m = v5 - v6,
         angle1 = dhgen_atan2_wide(s1_p, c1_p), angle2 = dhgen_atan2_wide(s1_m, -v4);
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v7 = w3 - w3,
-        v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9, v10 = m1 * N3 - m4,
-        v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11, angle3 = dhgen_atan2_wide(w3, N3 - k7),
-        q3__p = angle3 - turn1, v12 = turn1 + angle3;
+    const dhgen_wide Z1_3 = T34 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v7 = w3 - w3, v8 = m2 - m3 * N3, v9 = m1 * w3, s3_p = v8 + v9, s3_m = v8 - v9,
+        v10 = m1 * N3 - m4, v11 = m3 * w3, c3_p = v10 + v11, c3_m = v10 - v11,
+        angle3 = dhgen_atan2_wide(w3, N3 - k7), q3__p = angle3 - turn1, v12 = turn1 + angle3;
 
     /* theta2 */
     const dhgen_wide X1_2 = m5 * N3 - m6, v13 = Z1_3 * X1_2, v14 = w3 * (m5 * w1),
@@ -2234,10 +2234,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], outside_mmp);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0f * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3 * (k4 * w1)) <= boundary3) | (dhgen_abs_wide(D1) <=
-        k2) | (N3 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <= m7) | (v28 <= m7) | (v29 <= m7))
-        | (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
-        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared * (k4 * w1)) <= boundary3) |
+        (dhgen_abs_wide(D1_squared) <= k2) | (N3 <= doubt_limit_squared2) | (v31 <= m7) | (v30 <=
+        m7) | (v28 <= m7) | (v29 <= m7)) | (dhgen_within_slack_wide(excess_mm) |
+        dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
+        dhgen_within_slack_wide(excess_pm));
 }
 
 /* One regular pose where lanes are single numbers. */

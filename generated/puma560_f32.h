@@ -6,7 +6,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad,
  * all in single precision. Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c347f76f4868f211
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c347f76f4868f211
  * SPDX-License-Identifier: MIT
  */
 #ifndef PUMA560_F32_H

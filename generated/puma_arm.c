@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/puma_arm.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/puma_arm.yaml. The formulas and where they come from: puma_arm.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d47b230c056f04e4
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: d47b230c056f04e4
  * SPDX-License-Identifier: MIT
  */
 #include "puma_arm.h"
@@ -114,10 +114,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
     const double v2 = T14 * d3, v3 = T24 * d3;
@@ -130,32 +130,32 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (T14 * root1 - v3), s1 = inverse1 * (v2 + T24 * root1);
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (T14 * D1 - v3), s1 = inverse1 * (v2 + T24 * D1);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double N3 = v4 + root1 * root1;
+        const double N3 = v4 + D1 * D1;
         const double K3 = N3 - k7;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v5 = k5 * K3, v6 = k6 * K3;
 
         for (int i2 = 0; i2 < 2; i2++) { /* +, - */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (k6 * root3 - v5) * k8, c3 = k8 * (v6 + k5 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (k6 * D3 - v5) * k8, c3 = k8 * (v6 + k5 * D3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
             const double X1_2 = a2 + (a3 * c3 - d4 * s3);
             const double Y1_2 = d4 * c3 + a3 * s3;
-            const double S2 = Z1_3 * X1_2 - root1 * Y1_2;
-            const double C2 = root1 * X1_2 + Z1_3 * Y1_2;
+            const double S2 = Z1_3 * X1_2 - D1 * Y1_2;
+            const double C2 = D1 * X1_2 + Z1_3 * Y1_2;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
             const double factor2 = 1.0 / (free2 ? 1.0 : w2);
@@ -189,13 +189,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide D1 = T14 * T14 + T24 * T24 - k1, w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1,
-        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const dhgen_wide D1_squared = T14 * T14 + T24 * T24 - k1, w1 = dhgen_sqrt_wide(D1_squared),
+        v1 = w1 - w1, v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const dhgen_wide Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3), v6 = w3 - w3,
-        angle1 = dhgen_atan2_wide(w3, N3 - k7), q3__p = angle1 - turn1, v7 = turn1 + angle1;
+    const dhgen_wide Z1_3 = T34 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_wide(D3_squared),
+        v6 = w3 - w3, angle1 = dhgen_atan2_wide(w3, N3 - k7), q3__p = angle1 - turn1,
+        v7 = turn1 + angle1;
 
     /* theta2 */
     const dhgen_wide X1_2 = m3 * N3 - m4, v8 = Z1_3 * X1_2, v9 = w3 * (m3 * Z1_3),
@@ -217,7 +218,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     q[9] = q1_mp; q[10] = dhgen_atan2_wide(v14, v10 + v12); q[11] = q3_pm;
     kind[3] = dhgen_kind_wide(q[9]);
     const dhgen_wide_mask exact = 0.0 * (T[3] + T[7] + T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(D3 * (k4 * w1)) <= m2));
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1) | (dhgen_abs_wide(D3_squared * (k4 *
+        w1)) <= m2));
 }
 
 #if DHGEN_LANES > 1
@@ -233,19 +235,19 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1), v1 = w1 - w1, v2 = d3 * T14,
-        v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double D1_squared = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1_squared), v1 = w1 - w1,
+        v2 = d3 * T14, v3 = d3 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta3 */
-    const double Z1_3 = T34 - d1, N3 = D1 + Z1_3 * Z1_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = sqrt(D3), v6 = w3 - w3;
+    const double Z1_3 = T34 - d1, N3 = D1_squared + Z1_3 * Z1_3,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3_squared), v6 = w3 - w3;
 
     /* theta2 */
     const double X1_2 = m3 * N3 - m4, v7 = Z1_3 * X1_2;
     const dhgen_four v8 = w3 * (m3 * (e3 * Z1_3)), v9 = w1 * (e1 * X1_2);
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] + T[7] + T[11])) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)((fabs(D1) <= m1) | (fabs(D3 * (k4 * w1)) <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (fabs(D3_squared * (k4 * w1)) <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(v2 + e1 * v5,

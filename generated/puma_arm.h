@@ -6,7 +6,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, the position T[0:3, 3] counts; other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: d47b230c056f04e4
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: d47b230c056f04e4
  * SPDX-License-Identifier: MIT
  */
 #ifndef PUMA_ARM_H

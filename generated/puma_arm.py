@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: d47b230c056f04e4
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: d47b230c056f04e4
 """puma_arm: PUMA 560 to its wrist centre.
 
 Inverse kinematics, generated from robots/puma_arm.yaml and templates/python/solver.py.jinja.
@@ -141,11 +141,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
     v2, v3 = T14 * d3, T24 * d3
@@ -159,18 +159,18 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (T14 * root1 - v3), inverse1 * (v2 + T24 * root1)
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (T14 * D1 - v3), inverse1 * (v2 + T24 * D1)
         q1 = _atan2(s1, c1)
 
         # theta3
-        N3 = v4 + root1 * root1
+        N3 = v4 + D1 * D1
         K3 = N3 - k7
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v5, v6 = k5 * K3, k6 * K3
 
         for i2 in range(2):  # +, -
@@ -178,15 +178,15 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (k6 * root3 - v5) * k8, k8 * (v6 + k5 * root3)
+            D3 = w3 * e3
+            s3, c3 = (k6 * D3 - v5) * k8, k8 * (v6 + k5 * D3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
             X1_2 = a2 + (a3 * c3 - d4 * s3)
             Y1_2 = d4 * c3 + a3 * s3
-            S2 = Z1_3 * X1_2 - root1 * Y1_2
-            C2 = root1 * X1_2 + Z1_3 * Y1_2
+            S2 = Z1_3 * X1_2 - D1 * Y1_2
+            C2 = D1 * X1_2 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
             factor2 = 1.0 / (1.0 if free2 else w2)
@@ -209,16 +209,16 @@ def _formulas(kept, turns, rows, w):
         T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
-        D1 = T14 * T14 + T24 * T24 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = T14 * T14 + T24 * T24 - k1
+        w1 = math.sqrt(D1_squared)
         v1, v2, v3 = w1 - w1, d3 * T14, d3 * T24
         v4, v5 = T14 * w1, T24 * w1
 
         # theta3, type 6: U1[2, 4] and U1[1, 4]
         Z1_3 = T34 - d1
-        N3 = D1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        N3 = D1_squared + Z1_3 * Z1_3
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v6 = w3 - w3
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -228,7 +228,9 @@ def _formulas(kept, turns, rows, w):
         v14, v15 = v8 - v13, v8 + v13
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 else kept[16 * w + k]
+        kept[16 * w + k] = (
+            1.0 if abs(D1_squared) <= m1 or abs(D3_squared * (k4 * w1)) <= m2 else kept[16 * w + k]
+        )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v1, v6, w3
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = v14, v15, v15
         turns[4 * w + k], turns[5 * w + k], turns[6 * w + k] = v14, v2 + v5, v2 - v5

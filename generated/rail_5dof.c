@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/rail_5dof.yaml. The formulas and where they come from:
  * rail_5dof.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 4631ca9d913f2f17
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 4631ca9d913f2f17
  * SPDX-License-Identifier: MIT
  */
 #include "rail_5dof.h"
@@ -178,13 +178,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c3 = free3 ? cos(seed[2]) : -(X3 * factor3),
             s3 = free3 ? sin(seed[2]) : -(T33 * factor3);
         const double q3 = atan2(s3, c3);
-        const double root3 = w3 * e3;
+        const double D3 = w3 * e3;
 
         /* theta4 */
-        const double w4 = sqrt(root3 * root3 + v5);
+        const double w4 = sqrt(D3 * D3 + v5);
         const int short4 = w4 <= free_limit;
         const double v6 = 1.0 / (short4 ? 1.0 : w4);
-        const double c4 = v4 * v6, s4 = root3 * v6;
+        const double c4 = v4 * v6, s4 = D3 * v6;
         const double q4 = atan2(s4, c4);
 
         /* theta5 */

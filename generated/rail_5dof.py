@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 4631ca9d913f2f17
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 4631ca9d913f2f17
 """rail_5dof: Arm with four revolute joints on a rail.
 
 Inverse kinematics, generated from robots/rail_5dof.yaml and templates/python/solver.py.jinja.
@@ -194,13 +194,13 @@ def _solve(pose, q_free, seed, moved, q, status):
         c3 = math.cos(seed[2]) if free3 else -(X3 * factor3)
         s3 = math.sin(seed[2]) if free3 else -(T33 * factor3)
         q3 = _atan2(s3, c3)
-        root3 = w3 * e3
+        D3 = w3 * e3
 
         # theta4
-        w4 = math.sqrt(root3 * root3 + v5)
+        w4 = math.sqrt(D3 * D3 + v5)
         short4 = w4 <= free_limit
         v6 = 1.0 / (1.0 if short4 else w4)
-        c4, s4 = v4 * v6, root3 * v6
+        c4, s4 = v4 * v6, D3 * v6
         q4 = _atan2(s4, c4)
 
         # theta5

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rpp.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rpp.yaml. The formulas and where they come from: rpp.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 72e6a2adb561ce87
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 72e6a2adb561ce87
  * SPDX-License-Identifier: MIT
  */
 #include "rpp.h"

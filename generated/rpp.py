@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 72e6a2adb561ce87
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 72e6a2adb561ce87
 """rpp: Cylindrical arm.
 
 Inverse kinematics, generated from robots/rpp.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rpr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rpr.yaml. The formulas and where they come from: rpr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 2982606682a8b5ef
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 2982606682a8b5ef
  * SPDX-License-Identifier: MIT
  */
 #include "rpr.h"
@@ -94,11 +94,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta3, type 2: U0[3, 4] */
     const double Z3 = T34 - d1;
-    const double D3 = k1 - Z3 * Z3;
+    const double D3_squared = k1 - Z3 * Z3;
     const double v1 = 2.0 * fabs(Z3);
-    const int apart3 = merge_slack1 * (v1 + merge_slack1) < D3;
-    if (!(-(reach_slack1 * (v1 + reach_slack1)) < D3)) return; /* out of reach */
-    const double w3 = sqrt(apart3 ? D3 : 0.0);
+    const int apart3 = merge_slack1 * (v1 + merge_slack1) < D3_squared;
+    if (!(-(reach_slack1 * (v1 + reach_slack1)) < D3_squared)) return; /* out of reach */
+    const double w3 = sqrt(apart3 ? D3_squared : 0.0);
 
     for (int i1 = 0; i1 < 2; i1++) { /* shoulder+, shoulder- */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -108,7 +108,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : T24 * factor1,
             s1 = free1 ? sin(seed[0]) : -(T14 * factor1);
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         for (int i2 = 0; i2 < 2; i2++) { /* elbow+, elbow- */
             const double e3 = i2 == 0 ? 1.0 : -1.0;
@@ -119,7 +119,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* r2, type 1: U1[3, 4] */
             const double v3 = a3 * v2;
-            const double r2 = root1 + v3;
+            const double r2 = D1 + v3;
             const int row = 2 * i1 + i2;
             q[row][0] = q1; q[row][1] = r2; q[row][2] = q3;
             status[row] = free1 ? DHGEN_FREE_JOINT : DHGEN_OK;
@@ -148,8 +148,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         angle1 = dhgen_atan2_wide(-T14, T24);
 
     /* theta3 */
-    const dhgen_wide Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = dhgen_sqrt_wide(D3), v2 = w3 - w3,
-        angle2 = dhgen_atan2_wide(-(a3 * w3), -(a3 * Z3));
+    const dhgen_wide Z3 = T34 - d1, D3_squared = k1 - Z3 * Z3, w3 = dhgen_sqrt_wide(D3_squared),
+        v2 = w3 - w3, angle2 = dhgen_atan2_wide(-(a3 * w3), -(a3 * Z3));
 
     /* r2 */
     const dhgen_wide q2_pp = w1 + w3, q2_pm = w1 - w3;
@@ -168,7 +168,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[9]);
     const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] *
         T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3) <= m3 * (merge_slack1 + 2.0 *
+    return (exact == 0) | ((v1 <= m1) | (dhgen_abs_wide(D3_squared) <= m3 * (merge_slack1 + 2.0 *
         dhgen_abs_wide(Z3))));
 }
 
@@ -190,14 +190,14 @@ DHGEN_INLINE int solve_regular(
     const double v1 = T24 * T24 + T14 * T14, w1 = sqrt(v1), v2 = copysign(DHGEN_HALF_TURN, -T14);
 
     /* theta3 */
-    const double Z3 = T34 - d1, D3 = k1 - Z3 * Z3, w3 = sqrt(D3), v3 = w3 - w3;
+    const double Z3 = T34 - d1, D3_squared = k1 - Z3 * Z3, w3 = sqrt(D3_squared), v3 = w3 - w3;
 
     /* r2 */
     const dhgen_four v4 = e1 * w1, v5 = e3 * w3, q2 = v4 + v5;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] *
-        T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3 *
-        (merge_slack1 + 2.0 * fabs(Z3)))))
+        T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((v1 <= m1) | (fabs(D3_squared) <=
+        m3 * (merge_slack1 + 2.0 * fabs(Z3)))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T14, -(a3 * w3), -T14,

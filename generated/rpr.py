@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 2982606682a8b5ef
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 2982606682a8b5ef
 """rpr: Arm with a revolute, a prismatic and a revolute joint.
 
 Inverse kinematics, generated from robots/rpr.yaml and templates/python/solver.py.jinja.
@@ -117,12 +117,12 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta3, type 2: U0[3, 4]
     Z3 = T34 - d1
-    D3 = k1 - Z3 * Z3
+    D3_squared = k1 - Z3 * Z3
     v1 = 2.0 * abs(Z3)
-    apart3 = merge_slack1 * (v1 + merge_slack1) < D3
-    if not (-(reach_slack1 * (v1 + reach_slack1)) < D3):
+    apart3 = merge_slack1 * (v1 + merge_slack1) < D3_squared
+    if not (-(reach_slack1 * (v1 + reach_slack1)) < D3_squared):
         return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
+    w3 = math.sqrt(D3_squared if apart3 else 0.0)
 
     for i1 in range(2):  # shoulder+, shoulder-
         e1 = 1.0 - 2.0 * i1
@@ -133,7 +133,7 @@ def _solve(pose, q_free, seed, moved, q, status):
         c1 = math.cos(seed[0]) if free1 else T24 * factor1
         s1 = math.sin(seed[0]) if free1 else -(T14 * factor1)
         q1 = _atan2(s1, c1)
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         for i2 in range(2):  # elbow+, elbow-
             e3 = 1.0 - 2.0 * i2
@@ -145,7 +145,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # r2, type 1: U1[3, 4]
             v3 = a3 * v2
-            r2 = root1 + v3
+            r2 = D1 + v3
             row = 2 * i1 + i2
             q[row, 0], q[row, 1], q[row, 2] = q1, r2, q3
             status[row] = FREE_JOINT if free1 else OK
@@ -167,8 +167,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 2: U0[3, 4]
         Z3 = T34 - d1
-        D3 = k1 - Z3 * Z3
-        w3 = math.sqrt(D3)
+        D3_squared = k1 - Z3 * Z3
+        w3 = math.sqrt(D3_squared)
         v2 = w3 - w3
 
         # r2, type 1: U1[3, 4]
@@ -176,7 +176,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v1 <= m1 or abs(D3) <= m3 * (merge_slack1 + 2.0 * abs(Z3)) else kept[16 * w + k]
+            1.0 if v1 <= m1 or abs(D3_squared) <= m3 * (merge_slack1 + 2.0 * abs(Z3)) else kept[16 *
+            w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v2, q2_pp, q2_pm
         turns[0 * w + k], turns[1 * w + k], turns[8 * w + k] = -T14, -(a3 * w3), T24

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/rrprrr.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/rrprrr.yaml. The formulas and where they come from: rrprrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: ec7723db4c98fce0
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: ec7723db4c98fce0
  * SPDX-License-Identifier: MIT
  */
 #include "rrprrr.h"
@@ -120,10 +120,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1),
             s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta2, r3 */
-        const double w3 = sqrt(root1 * root1 + v1);
+        const double w3 = sqrt(D1 * D1 + v1);
         const int free2 = w3 <= free_limit1;
         const double divisor2 = free2 ? 1.0 : w3;
 
@@ -142,7 +142,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
             const double c2 = free2 ? cos(seed[1]) : -(T34 * factor2),
-                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(D1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
 

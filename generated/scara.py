@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e1d13fa0a171f34b
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: e1d13fa0a171f34b
 """scara: SCARA.
 
 Inverse kinematics, generated from robots/scara.yaml and templates/python/solver.py.jinja.
@@ -149,11 +149,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     t24 = T24 - L4 * T21
     N2 = t14 * t14 + t24 * t24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -218,8 +218,8 @@ def _formulas(kept, turns, rows, w):
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         t14, t24 = T14 - L4 * T11, T24 - L4 * T21
         N2 = t14 * t14 + t24 * t24
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
@@ -233,8 +233,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(D2) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5 else
-            kept[16 * w + k]
+            1.0 if abs(D2_squared) <= m1 or m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 *
+            v5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = t34, q3_p, T21
         turns[1 * w + k], turns[2 * w + k] = w2, v2 - w2 * (m2 * t14)

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_ball_screw.yaml. The formulas and where they come from:
  * scara_ball_screw.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 219eb12029b9e883
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 219eb12029b9e883
  * SPDX-License-Identifier: MIT
  */
 #include "scara_ball_screw.h"
@@ -104,10 +104,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta2, type 8: U0[1, 4] and U0[2, 4] */
     const double N2 = T14 * T14 + T24 * T24;
     const double K2 = N2 - k1;
-    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const double D2_squared = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double w2 = sqrt(apart2 ? D2_squared : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0[2, 4] and U0[1, 4] */

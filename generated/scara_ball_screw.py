@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 219eb12029b9e883
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 219eb12029b9e883
 """scara_ball_screw: SCARA with a ball screw spline.
 
 Inverse kinematics, generated from robots/scara_ball_screw.yaml and
@@ -159,11 +159,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_prrr.yaml. The formulas and where they come from:
  * scara_prrr.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: b16765c183860141
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: b16765c183860141
  * SPDX-License-Identifier: MIT
  */
 #include "scara_prrr.h"
@@ -107,10 +107,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     /* theta3, type 8: U0[1, 4] and U0[2, 4] */
     const double N3 = T14 * T14 + T24 * T24;
     const double K3 = N3 - k1;
-    const double D3 = (longest3 - N3) * (N3 - shortest3);
+    const double D3_squared = (longest3 - N3) * (N3 - shortest3);
     const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
     if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) return; /* out of reach */
-    const double w3 = sqrt(apart3 ? D3 : 0.0);
+    const double w3 = sqrt(apart3 ? D3_squared : 0.0);
     const double c3 = K3 * k2;
 
     /* theta2, type 3: U0[2, 4] and U0[1, 4] */
@@ -175,8 +175,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide angle1 = dhgen_atan2_wide(T21, T11);
 
     /* theta3 */
-    const dhgen_wide N3 = T14 * T14 + T24 * T24, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_wide(D3), angle2 = dhgen_atan2_wide(w3, N3 - k1);
+    const dhgen_wide N3 = T14 * T14 + T24 * T24, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_wide(D3_squared), angle2 = dhgen_atan2_wide(w3, N3 - k1);
 
     /* theta2 */
     const dhgen_wide v1 = m3 + m2 * N3, v2 = T24 * v1, v3 = T14 * v1, v4 = w3 * (m2 * T14),
@@ -196,8 +196,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[1] = dhgen_kind_wide(q[4]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D3) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13
-        * T13 + v7 * v7));
+    return (exact == 0) | ((dhgen_abs_wide(D3_squared) <= m1) | (m4 < v6 * v6 + T31 * T31 + T23 *
+        T23 + T13 * T13 + v7 * v7));
 }
 
 #if DHGEN_LANES > 1
@@ -212,7 +212,8 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta3 */
-    const double N3 = T14 * T14 + T24 * T24, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3);
+    const double N3 = T14 * T14 + T24 * T24, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3_squared);
 
     /* theta2 */
     const double v1 = m3 + m2 * N3, v2 = T24 * v1, v3 = T14 * v1;
@@ -224,7 +225,8 @@ DHGEN_INLINE int solve_regular(
     const double q1 = w3 - w3 + T34;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)((fabs(D3) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5 * v5)))
+        (unsigned)((fabs(D3_squared) <= m1) | (m4 < v4 * v4 + T31 * T31 + T23 * T23 + T13 * T13 + v5
+        * v5)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(v2 - w3 * (m2 *

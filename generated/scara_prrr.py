@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: b16765c183860141
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: b16765c183860141
 """scara_prrr: SCARA arm on a vertical slide.
 
 Inverse kinematics, generated from robots/scara_prrr.yaml and templates/python/solver.py.jinja.
@@ -131,11 +131,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta3, type 8: U0[1, 4] and U0[2, 4]
     N3 = T14 * T14 + T24 * T24
     K3 = N3 - k1
-    D3 = (longest3 - N3) * (N3 - shortest3)
+    D3_squared = (longest3 - N3) * (N3 - shortest3)
     apart3 = shortest3_apart < N3 and N3 < longest3_apart
     if not (shortest3_reach <= N3 and N3 <= longest3_reach):
         return  # out of reach
-    w3 = math.sqrt(D3 if apart3 else 0.0)
+    w3 = math.sqrt(D3_squared if apart3 else 0.0)
     c3 = K3 * k2
 
     # theta2, type 3: U0[2, 4] and U0[1, 4]
@@ -196,8 +196,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U0[1, 4] and U0[2, 4]
         N3 = T14 * T14 + T24 * T24
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
 
         # theta2, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N3
@@ -212,8 +212,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if abs(D3) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 * v7 else
-            kept[16 * w + k]
+            1.0 if abs(D3_squared) <= m1 or m4 < v6 * v6 + T31 * T31 + T23 * T23 + T13 * T13 + v7 *
+            v7 else kept[16 * w + k]
         )
         kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = q1_p, T21, w3
         turns[2 * w + k], turns[3 * w + k], turns[8 * w + k] = v2 - v4, v2 + v4, T11

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 5dd43650dd89f79b
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 5dd43650dd89f79b
 """scara_rrp: SCARA arm without a wrist.
 
 Inverse kinematics, generated from robots/scara_rrp.yaml and templates/python/solver.py.jinja.
@@ -117,11 +117,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     # theta2, type 8: U0[1, 4] and U0[2, 4]
     N2 = T14 * T14 + T24 * T24
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0[2, 4] and U0[1, 4]
@@ -161,8 +161,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, type 8: U0[1, 4] and U0[2, 4]
         N2 = T14 * T14 + T24 * T24
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
 
         # theta1, type 3: U0[2, 4] and U0[1, 4]
         v1 = m3 + m2 * N2
@@ -173,7 +173,7 @@ def _formulas(kept, turns, rows, w):
         q3_p = T34 - d1 + (w2 - w2)
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D2) <= m1 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if abs(D2_squared) <= m1 else kept[16 * w + k]
         kept[17 * w + k], turns[0 * w + k], turns[1 * w + k] = q3_p, w2, v2 - v4
         turns[2 * w + k], turns[8 * w + k], turns[9 * w + k] = v2 + v4, N2 - k1, v3 + v5
         turns[10 * w + k] = v3 - v5

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scara_wrist.yaml. The formulas and where they come from:
  * scara_wrist.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: e8aefe29e53d431c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: e8aefe29e53d431c
  * SPDX-License-Identifier: MIT
  */
 #include "scara_wrist.h"
@@ -124,10 +124,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double wy = T24 - d6 * T23;
     const double N2 = wx * wx + wy * wy;
     const double K2 = N2 - k1;
-    const double D2 = (longest2 - N2) * (N2 - shortest2);
+    const double D2_squared = (longest2 - N2) * (N2 - shortest2);
     const int apart2 = shortest2_apart < N2 && N2 < longest2_apart;
     if (!(shortest2_reach <= N2 && N2 <= longest2_reach)) return; /* out of reach */
-    const double w2 = sqrt(apart2 ? D2 : 0.0);
+    const double w2 = sqrt(apart2 ? D2_squared : 0.0);
     const double c2 = K2 * k2;
 
     /* theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4] */
@@ -205,8 +205,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta2 */
     const dhgen_wide wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
-        D2 = (longest2 - N2) * (N2 - shortest2), w2 = dhgen_sqrt_wide(D2), v1 = w2 - w2,
-        angle1 = dhgen_atan2_wide(w2, N2 - k1);
+        D2_squared = (longest2 - N2) * (N2 - shortest2), w2 = dhgen_sqrt_wide(D2_squared),
+        v1 = w2 - w2, angle1 = dhgen_atan2_wide(w2, N2 - k1);
 
     /* theta1 */
     const dhgen_wide v2 = m3 + m2 * N2, v3 = wy * v2, v4 = wx * v2,
@@ -244,7 +244,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[18]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D2) <= m1) | (v5 <= m4));
+    return (exact == 0) | ((dhgen_abs_wide(D2_squared) <= m1) | (v5 <= m4));
 }
 
 #if DHGEN_LANES > 1
@@ -263,7 +263,7 @@ DHGEN_INLINE int solve_regular(
 
     /* theta2 */
     const double wx = T14 - d6 * T13, wy = T24 - d6 * T23, N2 = wx * wx + wy * wy,
-        D2 = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2), v1 = w2 - w2;
+        D2_squared = (longest2 - N2) * (N2 - shortest2), w2 = sqrt(D2_squared), v1 = w2 - w2;
 
     /* theta1 */
     const double v2 = m3 + m2 * N2, v3 = wy * v2, v4 = wx * v2;
@@ -279,7 +279,7 @@ DHGEN_INLINE int solve_regular(
     const double v9 = copysign(DHGEN_HALF_TURN, -T23), q3 = v1 + (T34 - d6 * T33 - d1);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0)) |
-        (unsigned)((fabs(D2) <= m1) | (v5 <= m4)))
+        (unsigned)((fabs(D2_squared) <= m1) | (v5 <= m4)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(s6, -T23, s6, s6),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: e8aefe29e53d431c
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: e8aefe29e53d431c
 """scara_wrist: SCARA arm with a spherical wrist.
 
 Inverse kinematics, generated from robots/scara_wrist.yaml and templates/python/solver.py.jinja.
@@ -157,11 +157,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     wy = T24 - d6 * T23
     N2 = wx * wx + wy * wy
     K2 = N2 - k1
-    D2 = (longest2 - N2) * (N2 - shortest2)
+    D2_squared = (longest2 - N2) * (N2 - shortest2)
     apart2 = shortest2_apart < N2 and N2 < longest2_apart
     if not (shortest2_reach <= N2 and N2 <= longest2_reach):
         return  # out of reach
-    w2 = math.sqrt(D2 if apart2 else 0.0)
+    w2 = math.sqrt(D2_squared if apart2 else 0.0)
     c2 = K2 * k2
 
     # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
@@ -235,8 +235,8 @@ def _formulas(kept, turns, rows, w):
         # theta2, type 8: U0 A6^-1 [1, 4] and U0 A6^-1 [2, 4]
         wx, wy = T14 - d6 * T13, T24 - d6 * T23
         N2 = wx * wx + wy * wy
-        D2 = (longest2 - N2) * (N2 - shortest2)
-        w2 = math.sqrt(D2)
+        D2_squared = (longest2 - N2) * (N2 - shortest2)
+        w2 = math.sqrt(D2_squared)
         v1 = w2 - w2
 
         # theta1, type 3: U0 A6^-1 [2, 4] and U0 A6^-1 [1, 4]
@@ -253,7 +253,7 @@ def _formulas(kept, turns, rows, w):
         q3_pp = v1 + (T34 - d6 * T33 - d1)
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D2) <= m1 or v5 <= m4 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if abs(D2_squared) <= m1 or v5 <= m4 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, s6, q3_pp
         turns[0 * w + k], turns[1 * w + k] = w2, v3 - w2 * (m2 * wx)
         turns[2 * w + k], turns[3 * w + k] = v3 - w2 * (m2 * -wx), math.sqrt(v5)

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/scorbot_pointing.yaml. The formulas and where they come from:
  * scorbot_pointing.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a9f7f908835d5b23
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a9f7f908835d5b23
  * SPDX-License-Identifier: MIT
  */
 #include "scorbot_pointing.h"
@@ -203,13 +203,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double Z2_3 = T14 * c1 + T24 * s1 - a1 - v5;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[1, 4] and U1[2, 4] */
@@ -300,11 +300,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v13 = T14 * v3 + T24 * v4, v14 = a1 + v13, v15 = a1 - v13, v16 = v8 * v12, v17 = v16 - v14,
         v18 = w234 * (v7 * v12), Z2_3_p = v18 - v14, v19 = v15 + v18, v20 = Z1_3 * Z1_3,
         N3_p = v20 + Z2_3_p * Z2_3_p, N3_m = v20 + v19 * v19, K3_p = N3_p - k1, K3_m = N3_m - k1,
-        D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v21 = w3_p - w3_p, v22 = w3_m - w3_m, s3_p = k2 * w3_p,
-        s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m, angle3 = dhgen_atan2_wide(w3_p, K3_p),
-        angle4 = dhgen_atan2_wide(w3_m, K3_m);
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v21 = w3_p - w3_p, v22 = w3_m - w3_m,
+        s3_p = k2 * w3_p, s3_m = k2 * w3_m, c3_p = k2 * K3_p, c3_m = k2 * K3_m,
+        angle3 = dhgen_atan2_wide(w3_p, K3_p), angle4 = dhgen_atan2_wide(w3_m, K3_m);
 
     /* theta2 */
     const dhgen_wide v23 = v9 * v10, v24 = v7 * (v9 * v9 + v12 * v12), v25 = v10 * v10,
@@ -380,8 +380,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         ((m10 < v71) & (v71 <= m11)) | (v41 <= m8) | ((m10 < v70) & (v70 <= m11)) | (v40 <= m8) |
         ((m10 < v69) & (v69 <= m11)) | (v39 <= m8) | (m9 < v54 * v54 + v55 * v55 + v56 * v56) |
         (((v72 <= m12) | (v71 <= m12) | (v69 <= m12) | (v70 <= m12)) & ((exact__mm | exact__mp |
-        exact__pp | exact__pm) == 0)) | ((-m4 <= D3_p) & (D3_p <= m5)) | ((-m4 <= D3_m) & (D3_m <=
-        m5)));
+        exact__pp | exact__pm) == 0)) | ((-m4 <= D3_squared_p) & (D3_squared_p <= m5)) | ((-m4 <=
+        D3_squared_m) & (D3_squared_m <= m5)));
 }
 
 #if DHGEN_LANES > 1
@@ -415,8 +415,9 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v17 = e1 * v16, v18 = v17 - v15, v19 = e1 * v13,
         Z2_3 = w234 * (v8 * v19) - v15;
     const double v20 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v20 + Z2_3 * Z2_3, K3 = N3 - k1, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v21 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
+    const dhgen_four N3 = v20 + Z2_3 * Z2_3, K3 = N3 - k1,
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_four(D3_squared),
+        v21 = w3 - w3, s3 = k2 * w3, c3 = k2 * K3;
 
     /* theta2 */
     const double v22 = v10 * v11, v23 = v8 * (v10 * v10 + v13 * v13), v24 = v11 * v11;
@@ -441,9 +442,9 @@ DHGEN_INLINE int solve_regular(
         q5 = v46 + v48;
 
     if (dhgen_bits_four(((dhgen_all_four(dhgen_approach_misfit(T) + 0.0 * (T[3] + T[7] + T[11] +
-        free_joints[0])) <= DHGEN_ORTHONORMAL) == 0) | ((-m4 <= D3) & (D3 <= m5)) | ((v29 <= m8) |
-        ((m10 < v40) & (v40 <= m11)))) | (unsigned)((v7 <= m3) | (m9 < v34 * v34 + v35 * v35 + v36 *
-        v36) | (v1 <= m1)))
+        free_joints[0])) <= DHGEN_ORTHONORMAL) == 0) | ((-m4 <= D3_squared) & (D3_squared <= m5)) |
+        ((v29 <= m8) | ((m10 < v40) & (v40 <= m11)))) | (unsigned)((v7 <= m3) | (m9 < v34 * v34 +
+        v35 * v35 + v36 * v36) | (v1 <= m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(dhgen_shuffle(w3,

@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, the position T[0:3, 3] and the tool's z axis T[0:3, 2] counts; other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a9f7f908835d5b23
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a9f7f908835d5b23
  * SPDX-License-Identifier: MIT
  */
 #ifndef SCORBOT_POINTING_H

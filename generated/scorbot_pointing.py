@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a9f7f908835d5b23
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: a9f7f908835d5b23
 """scorbot_pointing: Scorbot (tool axis only).
 
 Inverse kinematics, generated from robots/scorbot_pointing.yaml and
@@ -237,14 +237,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         Z2_3 = T14 * c1 + T24 * s1 - a1 - v5
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if free1:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[1, 4] and U1[2, 4]
@@ -330,9 +330,9 @@ def _formulas(kept, turns, rows, w):
         v17, v18 = v16 - v14, w234 * (v7 * v12)
         Z2_3_p, v19, v20 = v18 - v14, v15 + v18, Z1_3 * Z1_3
         N3_p, N3_m = v20 + Z2_3_p * Z2_3_p, v20 + v19 * v19
-        K3_p, K3_m, D3_p = N3_p - k1, N3_m - k1, (longest3 - N3_p) * (N3_p - shortest3)
-        D3_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_p)
-        w3_m, v21 = math.sqrt(D3_m), w3_p - w3_p
+        K3_p, K3_m, D3_squared_p = N3_p - k1, N3_m - k1, (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v21 = math.sqrt(D3_squared_m), w3_p - w3_p
         v22, s3_p, s3_m = w3_m - w3_m, k2 * w3_p, k2 * w3_m
         c3_p, c3_m = k2 * K3_p, k2 * K3_m
 
@@ -396,8 +396,8 @@ def _formulas(kept, turns, rows, w):
             v71 <= m11) or v41 <= m8 or (m10 < v70 and v70 <= m11) or v40 <= m8 or (m10 < v69 and
             v69 <= m11) or v39 <= m8 or m9 < v54 * v54 + v55 * v55 + v56 * v56 or ((v72 <= m12 or
             v71 <= m12 or v69 <= m12 or v70 <= m12) and not (exact__mm or exact__mp or exact__pp or
-            exact__pm)) or (-m4 <= D3_p and D3_p <= m5) or (-m4 <= D3_m and D3_m <= m5) else kept[17
-            * w + k]
+            exact__pm)) or (-m4 <= D3_squared_p and D3_squared_p <= m5) or (-m4 <= D3_squared_m and
+            D3_squared_m <= m5) else kept[17 * w + k]
         )
         kept[18 * w + k], kept[19 * w + k], kept[20 * w + k] = Yhat1, v21, v22
         kept[21 * w + k], kept[22 * w + k], kept[23 * w + k] = v82, v83, v84

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/spherical.yaml. The formulas and where they come from:
  * spherical.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c459b1a01dddb7d5
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c459b1a01dddb7d5
  * SPDX-License-Identifier: MIT
  */
 #include "spherical.h"
@@ -100,10 +100,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : T14 * factor1,
             s1 = free1 ? sin(seed[0]) : T24 * factor1;
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta2, r3 */
-        const double w3 = sqrt(root1 * root1 + v1);
+        const double w3 = sqrt(D1 * D1 + v1);
         const int free2 = w3 <= free_limit1;
         const double divisor2 = free2 ? 1.0 : w3;
 
@@ -113,7 +113,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
             const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(D1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;

@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, the position T[0:3, 3] counts; other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c459b1a01dddb7d5
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c459b1a01dddb7d5
  * SPDX-License-Identifier: MIT
  */
 #ifndef SPHERICAL_H

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/spherical_offset.yaml. The formulas and where they come from:
  * spherical_offset.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 31de25d5e88e2e17
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 31de25d5e88e2e17
  * SPDX-License-Identifier: MIT
  */
 #include "spherical_offset.h"
@@ -89,10 +89,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
     const double v1 = T14 * d2, v2 = T24 * d2;
 
@@ -103,12 +103,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v2 - T14 * root1), s1 = -(inverse1 * (v1 + T24 * root1));
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v2 - T14 * D1), s1 = -(inverse1 * (v1 + T24 * D1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
-        const double w3 = sqrt(root1 * root1 + v3);
+        const double w3 = sqrt(D1 * D1 + v3);
         const int free2 = w3 <= free_limit1;
         const double divisor2 = free2 ? 1.0 : w3;
 
@@ -118,7 +118,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
             const double c2 = free2 ? cos(seed[1]) : T34 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(D1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
             const int row = 2 * i1 + i2;
@@ -145,12 +145,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide D1 = T14 * T14 + T24 * T24 - k1, w1 = dhgen_sqrt_wide(D1), v1 = w1 - w1,
-        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1,
+    const dhgen_wide D1_squared = T14 * T14 + T24 * T24 - k1, w1 = dhgen_sqrt_wide(D1_squared),
+        v1 = w1 - w1, v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1,
         angle1 = dhgen_atan2_wide(-(v2 + v5), v3 - v4), angle2 = dhgen_atan2_wide(v5 - v2, v3 + v4);
 
     /* theta2, r3 */
-    const dhgen_wide v6 = D1 + T34 * T34, w3 = dhgen_sqrt_wide(v6),
+    const dhgen_wide v6 = D1_squared + T34 * T34, w3 = dhgen_sqrt_wide(v6),
         angle3 = dhgen_atan2_wide(-w1, T34),
         q2_pm = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -w1);
 
@@ -167,7 +167,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[3] = dhgen_kind_wide(q[9]);
     const dhgen_wide_mask exact = 0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] * T[11] *
         T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(D1) <= m1) | (v6 <= m2));
+    return (exact == 0) | ((dhgen_abs_wide(D1_squared) <= m1) | (v6 <= m2));
 }
 
 #if DHGEN_LANES > 1
@@ -185,17 +185,18 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double D1 = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1), v1 = w1 - w1, v2 = d2 * T14,
-        v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
+    const double D1_squared = T14 * T14 + T24 * T24 - k1, w1 = sqrt(D1_squared), v1 = w1 - w1,
+        v2 = d2 * T14, v3 = d2 * T24, v4 = T14 * w1, v5 = T24 * w1;
 
     /* theta2, r3 */
-    const double v6 = D1 + T34 * T34, w3 = sqrt(v6), v7 = copysign(DHGEN_HALF_TURN, -w1);
+    const double v6 = D1_squared + T34 * T34, w3 = sqrt(v6), v7 = copysign(DHGEN_HALF_TURN, -w1);
 
     /* joint values */
     const dhgen_four q3 = v1 + e2 * w3;
 
     if (dhgen_bits_four(((dhgen_all_four(0.0 * (T[3] * T[3] * T[3] + T[7] * T[7] * T[7] + T[11] *
-        T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((fabs(D1) <= m1) | (v6 <= m2)))
+        T[11] * T[11])) <= DHGEN_ORTHONORMAL) == 0)) | (unsigned)((fabs(D1_squared) <= m1) | (v6 <=
+        m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(-(v2 + e1 * v5),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 31de25d5e88e2e17
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 31de25d5e88e2e17
 """spherical_offset: Spherical arm with a shoulder offset.
 
 Inverse kinematics, generated from robots/spherical_offset.yaml and
@@ -113,11 +113,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (N1 if apart1 else d2 * math.sqrt(N1))
     v1, v2 = T14 * d2, T24 * d2
 
@@ -129,12 +129,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v2 - T14 * root1), -(inverse1 * (v1 + T24 * root1))
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v2 - T14 * D1), -(inverse1 * (v1 + T24 * D1))
         q1 = _atan2(s1, c1)
 
         # theta2, r3
-        w3 = math.sqrt(root1 * root1 + v3)
+        w3 = math.sqrt(D1 * D1 + v3)
         free2 = w3 <= free_limit1
         divisor2 = 1.0 if free2 else w3
 
@@ -145,7 +145,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 continue  # both signs give the same
             factor2 = e2 / divisor2
             c2 = math.cos(seed[1]) if free2 else T34 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(D1 * factor2)
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2
@@ -164,20 +164,20 @@ def _formulas(kept, turns, rows, w):
         T14, T24, T34 = kept[3 * w + k], kept[7 * w + k], kept[11 * w + k]
 
         # theta1, type 2: U1[3, 4]
-        D1 = T14 * T14 + T24 * T24 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = T14 * T14 + T24 * T24 - k1
+        w1 = math.sqrt(D1_squared)
         v1, v2, v3 = w1 - w1, d2 * T14, d2 * T24
         v4, v5 = T14 * w1, T24 * w1
 
         # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
-        v6 = D1 + T34 * T34
+        v6 = D1_squared + T34 * T34
         w3 = math.sqrt(v6)
 
         # joint values
         q3_pp, q3_pm = v1 + w3, v1 - w3
 
         # a joint is free, or branches meet
-        kept[16 * w + k] = 1.0 if abs(D1) <= m1 or v6 <= m2 else kept[16 * w + k]
+        kept[16 * w + k] = 1.0 if abs(D1_squared) <= m1 or v6 <= m2 else kept[16 * w + k]
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w1, q3_pp, q3_pm
         turns[0 * w + k], turns[1 * w + k], turns[2 * w + k] = -(v2 + v5), v5 - v2, -w1
         turns[8 * w + k], turns[9 * w + k], turns[10 * w + k] = v3 - v4, v3 + v4, T34

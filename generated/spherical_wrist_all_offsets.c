@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/spherical_wrist_all_offsets.yaml. The formulas and where they come
  * from: spherical_wrist_all_offsets.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 8351e27252c6f861
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 8351e27252c6f861
  * SPDX-License-Identifier: MIT
  */
 #include "spherical_wrist_all_offsets.h"
@@ -150,10 +150,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double wx = T14 - T13 * d6;
     const double Y1 = d6 * T23 - T24;
     const double N1 = wx * wx + Y1 * Y1;
-    const double D1 = N1 - k2;
-    const int apart1 = k4 < D1;
-    if (!(-k3 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k2;
+    const int apart1 = k4 < D1_squared;
+    if (!(-k3 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k5;
     const double inverse1 = 1.0 / (apart1 ? N1 : k1 * sqrt(N1));
     const double v2 = wx * k1, v3 = Y1 * k1;
@@ -167,18 +167,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = -(inverse1 * (v3 + wx * root1)), s1 = inverse1 * (Y1 * root1 - v2);
+        const double D1 = w1 * e1;
+        const double c1 = -(inverse1 * (v3 + wx * D1)), s1 = inverse1 * (Y1 * D1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v4 = root1 + a1;
+        const double v4 = D1 + a1;
         const double N3 = v5 + v4 * v4;
         const double K3 = N3 - k8;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v6 = k6 * K3, v7 = k7 * K3;
 
         /* theta4, type 2: U4[3, 3] */
@@ -194,8 +194,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double e3 = i2 == 0 ? 1.0 : -1.0;
             /* theta3 */
             if (e3 < 0.0 && !apart3) continue; /* both signs give the same */
-            const double root3 = w3 * e3;
-            const double s3 = (v6 + k7 * root3) * k9, c3 = k9 * (v7 - k6 * root3);
+            const double D3 = w3 * e3;
+            const double s3 = (v6 + k7 * D3) * k9, c3 = k9 * (v7 - k6 * D3);
             const double q3 = atan2(s3, c3);
 
             /* theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4] */
@@ -274,17 +274,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = dhgen_sqrt_wide(D1), v1 = k5 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (k1 * Y1), v3 = v2 + w1 * (wx * inverse1), v4 = v2 + w1 * (inverse1 * -wx),
-        v5 = inverse1 * (k1 * wx), s1_p = w1 * (Y1 * inverse1) - v5,
-        s1_m = w1 * (inverse1 * -Y1) - v5;
+    const dhgen_wide wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1,
+        D1_squared = N1 - k2, w1 = dhgen_sqrt_wide(D1_squared), v1 = k5 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * Y1),
+        v3 = v2 + w1 * (wx * inverse1), v4 = v2 + w1 * (inverse1 * -wx), v5 = inverse1 * (k1 * wx),
+        s1_p = w1 * (Y1 * inverse1) - v5, s1_m = w1 * (inverse1 * -Y1) - v5;
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T33 - d1, v6 = a1 + w1, v7 = a1 - w1, v8 = Z1_3 * Z1_3,
-        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), angle1 = dhgen_atan2_wide(w3_p, N3_p - k8),
+        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), angle1 = dhgen_atan2_wide(w3_p, N3_p - k8),
         angle2 = dhgen_atan2_wide(w3_m, N3_m - k8), q3__pp = angle1 - turn1, v9 = turn1 + angle1,
         q3__mp = angle2 - turn1, v10 = turn1 + angle2;
 
@@ -378,8 +379,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v37 <= m9) | (v36 <= m9) | (v35 <= m9) | (v34 <= m9) |
-        (dhgen_abs_wide(v1 * D3_m) <= m2) | (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(v1 * D3_p)
-        <= m2));
+        (dhgen_abs_wide(v1 * D3_squared_m) <= m2) | (dhgen_abs_wide(D1_squared) <= m1) |
+        (dhgen_abs_wide(v1 * D3_squared_p) <= m2));
 }
 
 #if DHGEN_LANES > 1
@@ -395,8 +396,9 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1, D1 = N1 - k2,
-        w1 = sqrt(D1), v1 = k5 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * Y1);
+    const double wx = T14 - d6 * T13, Y1 = d6 * T23 - T24, N1 = wx * wx + Y1 * Y1,
+        D1_squared = N1 - k2, w1 = sqrt(D1_squared), v1 = k5 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (k1 * Y1);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * wx));
     const double v4 = inverse1 * (k1 * wx);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v4;
@@ -405,8 +407,8 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d6 * T33 - d1;
     const dhgen_four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3);
+    const dhgen_four N3 = v6 + v5 * v5, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared);
 
     /* theta2 */
     const dhgen_four v7 = Z1_3 * (m4 + m3 * N3), v8 = e3 * Z1_3, factor2 = DHGEN_QUOTIENT(1.0, N3),
@@ -427,7 +429,7 @@ DHGEN_INLINE int solve_regular(
         v24 = s1 * T11 + v3 * T21, v25 = s1 * T21 - v3 * T11;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(v1
-        * D3) <= m2) | (v20 <= m9)) | (unsigned)(fabs(D1) <= m1))
+        * D3_squared) <= m2) | (v20 <= m9)) | (unsigned)(fabs(D1_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(w3, s1, 0, 5, 2, 7),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 8351e27252c6f861
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 8351e27252c6f861
 """spherical_wrist_all_offsets: Spherical wrist on an arm with every offset.
 
 Inverse kinematics, generated from robots/spherical_wrist_all_offsets.yaml and
@@ -193,11 +193,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     wx = T14 - T13 * d6
     Y1 = d6 * T23 - T24
     N1 = wx * wx + Y1 * Y1
-    D1 = N1 - k2
-    apart1 = k4 < D1
-    if not (-k3 <= D1):
+    D1_squared = N1 - k2
+    apart1 = k4 < D1_squared
+    if not (-k3 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k5
     inverse1 = 1.0 / (N1 if apart1 else k1 * math.sqrt(N1))
     v2, v3 = wx * k1, Y1 * k1
@@ -212,19 +212,19 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = -(inverse1 * (v3 + wx * root1)), inverse1 * (Y1 * root1 - v2)
+        D1 = w1 * e1
+        c1, s1 = -(inverse1 * (v3 + wx * D1)), inverse1 * (Y1 * D1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v4 = root1 + a1
+        v4 = D1 + a1
         N3 = v5 + v4 * v4
         K3 = N3 - k8
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v6, v7 = k6 * K3, k7 * K3
 
         # theta4, type 2: U4[3, 3]
@@ -241,8 +241,8 @@ def _solve(pose, q_free, seed, moved, q, status):
             # theta3
             if e3 < 0.0 and not apart3:
                 continue  # both signs give the same
-            root3 = w3 * e3
-            s3, c3 = (v6 + k7 * root3) * k9, k9 * (v7 - k6 * root3)
+            D3 = w3 * e3
+            s3, c3 = (v6 + k7 * D3) * k9, k9 * (v7 - k6 * D3)
             q3 = _atan2(s3, c3)
 
             # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
@@ -305,8 +305,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         wx, Y1 = T14 - d6 * T13, d6 * T23 - T24
         N1 = wx * wx + Y1 * Y1
-        D1 = N1 - k2
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k2
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = k5 * w1, 1.0 / N1
         v2 = inverse1 * (k1 * Y1)
         v3, v4, v5 = v2 + w1 * (wx * inverse1), v2 + w1 * (inverse1 * -wx), inverse1 * (k1 * wx)
@@ -316,8 +316,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v6, v7 = T34 - d6 * T33 - d1, a1 + w1, a1 - w1
         v8 = Z1_3 * Z1_3
         N3_p, N3_m = v8 + v6 * v6, v8 + v7 * v7
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m = math.sqrt(D3_squared_m)
 
         # theta2, type 3: U1 A6^-1 [1, 4] and U1 A6^-1 [2, 4]
         v11, v12, factor2_p = Z1_3 * (m4 + m3 * N3_p), Z1_3 * (m4 + m3 * N3_m), 1.0 / N3_p
@@ -350,8 +351,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[16 * w + k] = (
-            1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(v1 * D3_m) <= m2 or
-            abs(D1) <= m1 or abs(v1 * D3_p) <= m2 else kept[16 * w + k]
+            1.0 if v37 <= m9 or v36 <= m9 or v35 <= m9 or v34 <= m9 or abs(v1 * D3_squared_m) <= m2
+            or abs(D1_squared) <= m1 or abs(v1 * D3_squared_p) <= m2 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, c23_pp
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = c23_pm, c23_mp, c23_mm

@@ -5,7 +5,7 @@
  * Do not edit: run dhgen robots/spherical_wrist_general_arm.yaml. The formulas and where they come
  * from: spherical_wrist_general_arm.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: fd0953cc6ef8bfdc
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: fd0953cc6ef8bfdc
  * SPDX-License-Identifier: MIT
  */
 #include "spherical_wrist_general_arm.h"

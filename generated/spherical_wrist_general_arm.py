@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fd0953cc6ef8bfdc
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: fd0953cc6ef8bfdc
 """spherical_wrist_general_arm: Spherical wrist on a general arm.
 
 Inverse kinematics, generated from robots/spherical_wrist_general_arm.yaml and

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/stanford.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/stanford.yaml. The formulas and where they come from: stanford.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c5078a2be1cf5382
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c5078a2be1cf5382
  * SPDX-License-Identifier: MIT
  */
 #include "stanford.h"
@@ -116,10 +116,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
     /* theta1, type 2: U1[3, 4] */
     const double N1 = T14 * T14 + T24 * T24;
-    const double D1 = N1 - k2;
-    const int apart1 = k4 < D1;
-    if (!(-k3 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k2;
+    const int apart1 = k4 < D1_squared;
+    if (!(-k3 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (apart1 ? N1 : k1 * sqrt(N1));
     const double v1 = T14 * k1, v2 = T24 * k1;
 
@@ -131,12 +131,12 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v2 - T14 * root1), s1 = -(inverse1 * (v1 + T24 * root1));
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v2 - T14 * D1), s1 = -(inverse1 * (v1 + T24 * D1));
         const double q1 = atan2(s1, c1);
 
         /* theta2, r3 */
-        const double w3 = sqrt(root1 * root1 + v3);
+        const double w3 = sqrt(D1 * D1 + v3);
         const int free2 = w3 <= free_limit1;
         const double divisor2 = free2 ? 1.0 : w3;
 
@@ -154,7 +154,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             if (e2 < 0.0 && free2) continue; /* both signs give the same */
             const double factor2 = e2 / divisor2;
             const double c2 = free2 ? cos(seed[1]) : Y2_2 * factor2,
-                s2 = free2 ? sin(seed[1]) : -(root1 * factor2);
+                s2 = free2 ? sin(seed[1]) : -(D1 * factor2);
             const double q2 = atan2(s2, c2);
             const double r3 = w3 * e2;
 
@@ -213,14 +213,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = dhgen_sqrt_wide(D1),
-        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = k1 * T14, v3 = k1 * T24,
-        v4 = inverse1 * v3, v5 = w1 * (T14 * inverse1), c1_p = v4 - v5, c1_m = v4 + v5,
-        v6 = inverse1 * v2, v7 = w1 * (T24 * inverse1), v8 = v6 + v7, v9 = v6 - v7,
-        angle1 = dhgen_atan2_wide(-v8, c1_p), angle2 = dhgen_atan2_wide(-v9, c1_m);
+    const dhgen_wide N1 = T14 * T14 + T24 * T24, D1_squared = N1 - k2,
+        w1 = dhgen_sqrt_wide(D1_squared), v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
+        v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3, v5 = w1 * (T14 * inverse1),
+        c1_p = v4 - v5, c1_m = v4 + v5, v6 = inverse1 * v2, v7 = w1 * (T24 * inverse1),
+        v8 = v6 + v7, v9 = v6 - v7, angle1 = dhgen_atan2_wide(-v8, c1_p),
+        angle2 = dhgen_atan2_wide(-v9, c1_m);
 
     /* theta2, r3 */
-    const dhgen_wide Y2_2 = T34 - d1, v10 = D1 + Y2_2 * Y2_2, w3 = dhgen_sqrt_wide(v10),
+    const dhgen_wide Y2_2 = T34 - d1, v10 = D1_squared + Y2_2 * Y2_2, w3 = dhgen_sqrt_wide(v10),
         factor2 = w3 * DHGEN_QUOTIENT(1.0, v10), angle3 = dhgen_atan2_wide(-w1, Y2_2),
         q2_pmp = angle3 - dhgen_signed_wide(DHGEN_HALF_TURN, -w1);
 
@@ -304,8 +305,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], 0.0 < excess_mmm);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] * T[3] * T[3] + T[7] *
         T[7] * T[7] + T[11] * T[11] * T[11]) <= DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((v10 <= m2) | (dhgen_abs_wide(D1) <= m1) | (v15 <= m4) | (v16 <= m4)) |
-        (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
+    return (exact == 0) | ((v10 <= m2) | (dhgen_abs_wide(D1_squared) <= m1) | (v15 <= m4) | (v16 <=
+        m4)) | (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
         dhgen_within_slack_wide(excess_ppp) | dhgen_within_slack_wide(excess_ppm));
@@ -326,14 +327,15 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double N1 = T14 * T14 + T24 * T24, D1 = N1 - k2, w1 = sqrt(D1), v1 = w1 - w1,
-        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = k1 * T14, v3 = k1 * T24, v4 = inverse1 * v3;
+    const double N1 = T14 * T14 + T24 * T24, D1_squared = N1 - k2, w1 = sqrt(D1_squared),
+        v1 = w1 - w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = k1 * T14, v3 = k1 * T24,
+        v4 = inverse1 * v3;
     const dhgen_four c1 = v4 - w1 * (inverse1 * (e1 * T14));
     const double v5 = inverse1 * v2;
     const dhgen_four v6 = v5 + w1 * (inverse1 * (e1 * T24));
 
     /* theta2, r3 */
-    const double Y2_2 = T34 - d1, v7 = D1 + Y2_2 * Y2_2, w3 = sqrt(v7),
+    const double Y2_2 = T34 - d1, v7 = D1_squared + Y2_2 * Y2_2, w3 = sqrt(v7),
         factor2 = w3 * DHGEN_QUOTIENT(1.0, v7), v8 = copysign(DHGEN_HALF_TURN, -w1);
     const dhgen_four v9 = e2 - 1.0, v10 = m3 * v9;
 
@@ -362,7 +364,7 @@ DHGEN_INLINE int solve_regular(
         q3_p = v1 + v24;
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v14 <= m4)) |
-        (unsigned)((fabs(D1) <= m1) | (v7 <= m2)))
+        (unsigned)((fabs(D1_squared) <= m1) | (v7 <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-w1, -w1, -w1, -w1),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c5078a2be1cf5382
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: c5078a2be1cf5382
 """stanford: Stanford arm.
 
 Inverse kinematics, generated from robots/stanford.yaml and templates/python/solver.py.jinja.
@@ -155,11 +155,11 @@ def _solve(pose, q_free, seed, moved, q, status):
 
     # theta1, type 2: U1[3, 4]
     N1 = T14 * T14 + T24 * T24
-    D1 = N1 - k2
-    apart1 = k4 < D1
-    if not (-k3 <= D1):
+    D1_squared = N1 - k2
+    apart1 = k4 < D1_squared
+    if not (-k3 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (N1 if apart1 else k1 * math.sqrt(N1))
     v1, v2 = T14 * k1, T24 * k1
 
@@ -172,12 +172,12 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v2 - T14 * root1), -(inverse1 * (v1 + T24 * root1))
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v2 - T14 * D1), -(inverse1 * (v1 + T24 * D1))
         q1 = _atan2(s1, c1)
 
         # theta2, r3
-        w3 = math.sqrt(root1 * root1 + v3)
+        w3 = math.sqrt(D1 * D1 + v3)
         free2 = w3 <= free_limit1
         divisor2 = 1.0 if free2 else w3
 
@@ -196,7 +196,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 continue  # both signs give the same
             factor2 = e2 / divisor2
             c2 = math.cos(seed[1]) if free2 else Y2_2 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(D1 * factor2)
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
 
@@ -249,8 +249,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta1, type 2: U1[3, 4]
         N1 = T14 * T14 + T24 * T24
-        D1 = N1 - k2
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k2
+        w1 = math.sqrt(D1_squared)
         v1, inverse1, v2 = w1 - w1, 1.0 / N1, k1 * T14
         v3 = k1 * T24
         v4, v5 = inverse1 * v3, w1 * (T14 * inverse1)
@@ -260,7 +260,7 @@ def _formulas(kept, turns, rows, w):
 
         # theta2, r3, type 4: U1[1, 4] and U1[2, 4]
         Y2_2 = T34 - d1
-        v10 = D1 + Y2_2 * Y2_2
+        v10 = D1_squared + Y2_2 * Y2_2
         w3 = math.sqrt(v10)
         factor2 = w3 * (1.0 / v10)
 
@@ -289,7 +289,8 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if v10 <= m2 or abs(D1) <= m1 or v15 <= m4 or v16 <= m4 else kept[16 * w + k]
+            1.0 if v10 <= m2 or abs(D1_squared) <= m1 or v15 <= m4 or v16 <= m4 else kept[16 * w +
+            k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w1, v13, v14
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v15, v16, s6_p

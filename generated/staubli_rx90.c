@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/staubli_rx90.yaml. The formulas and where they come from:
  * staubli_rx90.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c0b36274375d6e2a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c0b36274375d6e2a
  * SPDX-License-Identifier: MIT
  */
 #include "staubli_rx90.h"
@@ -140,20 +140,20 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double c1 = free1 ? cos(seed[0]) : -(T14 * factor1),
             s1 = free1 ? sin(seed[0]) : -(T24 * factor1);
         const double q1 = atan2(s1, c1);
-        const double root1 = w1 * e1;
+        const double D1 = w1 * e1;
 
         /* theta3 */
-        const double N3 = v1 + root1 * root1;
+        const double N3 = v1 + D1 * D1;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double v2 = k1 * K3 * k2;
 
         /* theta2, type 3: U1[3, 4] and U1[1, 4] */
         const double X1_2 = a2 + d4 * v2;
-        const double v3 = T34 * X1_2, v4 = root1 * X1_2;
+        const double v3 = T34 * X1_2, v4 = D1 * X1_2;
 
         /* theta4, type 2: U4[2, 3] */
         const double v5 = T13 * c1 + T23 * s1;
@@ -173,7 +173,7 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
 
             /* theta2 */
             const double Y1_2 = d4 * c3;
-            const double S2 = v3 + root1 * Y1_2;
+            const double S2 = v3 + D1 * Y1_2;
             const double C2 = T34 * Y1_2 - v4;
             const double w2 = sqrt(S2 * S2 + C2 * C2);
             const int free2 = w2 <= free_limit_squared2;
@@ -245,9 +245,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v2 = DHGEN_QUOTIENT(1.0, v1), angle1 = dhgen_atan2_wide(-T24, -T14);
 
     /* theta3 */
-    const dhgen_wide N3 = v1 + T34 * T34, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_wide(D3), v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4, v6 = k1 * w3,
-        c3 = k2 * v6, angle2 = dhgen_atan2_wide(-v4, v6),
+    const dhgen_wide N3 = v1 + T34 * T34, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_wide(D3_squared), v3 = w3 - w3, v4 = k1 * (N3 - k1), v5 = k2 * v4,
+        v6 = k1 * w3, c3 = k2 * v6, angle2 = dhgen_atan2_wide(-v4, v6),
         q3_pmp = dhgen_signed_wide(DHGEN_HALF_TURN, -v4) - angle2;
 
     /* theta2 */
@@ -334,7 +334,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v36 <= m6) | (v22 <= m5) | (v35 <= m6) | (v34 <= m6) | (v21 <= m5) |
-        (v33 <= m6) | (v1 <= m1) | (dhgen_abs_wide(D3) <= m3) | (v20 <= m5));
+        (v33 <= m6) | (v1 <= m1) | (dhgen_abs_wide(D3_squared) <= m3) | (v20 <= m5));
 }
 
 #if DHGEN_LANES > 1
@@ -356,9 +356,9 @@ DHGEN_INLINE int solve_regular(
         v3 = copysign(DHGEN_HALF_TURN, -T24);
 
     /* theta3 */
-    const double N3 = v1 + T34 * T34, D3 = (longest3 - N3) * (N3 - shortest3), w3 = sqrt(D3),
-        v4 = w3 - w3, v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3, c3 = k2 * v7,
-        v8 = copysign(DHGEN_HALF_TURN, -v5);
+    const double N3 = v1 + T34 * T34, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = sqrt(D3_squared), v4 = w3 - w3, v5 = k1 * (N3 - k1), v6 = k2 * v5, v7 = k1 * w3,
+        c3 = k2 * v7, v8 = copysign(DHGEN_HALF_TURN, -v5);
 
     /* theta2 */
     const double X1_2 = a2 + d4 * v6, Y1_2 = d4 * c3, v9 = T34 * X1_2, v10 = w1 * Y1_2;
@@ -387,7 +387,7 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v34 = e1 * (v27 * v32 - s4 * (s23 * T31 - e1 * (c23 * v33)));
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v21 <= m5) |
-        (v26 <= m6))) | (unsigned)((v1 <= m1) | (fabs(D3) <= m3)))
+        (v26 <= m6))) | (unsigned)((v1 <= m1) | (fabs(D3_squared) <= m3)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(-T24, -v5, -T24, -T24),

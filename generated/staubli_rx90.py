@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: c0b36274375d6e2a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: c0b36274375d6e2a
 """staubli_rx90: Stäubli RX90.
 
 Inverse kinematics, generated from robots/staubli_rx90.yaml and templates/python/solver.py.jinja.
@@ -168,21 +168,21 @@ def _solve(pose, q_free, seed, moved, q, status):
         c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
         s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
         q1 = _atan2(s1, c1)
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta3
-        N3 = v1 + root1 * root1
+        N3 = v1 + D1 * D1
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         v2 = k1 * K3 * k2
 
         # theta2, type 3: U1[3, 4] and U1[1, 4]
         X1_2 = a2 + d4 * v2
-        v3, v4 = T34 * X1_2, root1 * X1_2
+        v3, v4 = T34 * X1_2, D1 * X1_2
 
         # theta4, type 2: U4[2, 3]
         v5 = T13 * c1 + T23 * s1
@@ -203,7 +203,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             Y1_2 = d4 * c3
-            S2 = v3 + root1 * Y1_2
+            S2 = v3 + D1 * Y1_2
             C2 = T34 * Y1_2 - v4
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
@@ -266,8 +266,8 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U1[3, 4] and U1[1, 4]
         N3 = v1 + T34 * T34
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v3, v4 = w3 - w3, k1 * (N3 - k1)
         v5, v6 = k2 * v4, k1 * w3
         c3 = k2 * v6
@@ -320,7 +320,7 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v36 <= m6 or v22 <= m5 or v35 <= m6 or v34 <= m6 or v21 <= m5 or v33 <= m6 or v1
-            <= m1 or abs(D3) <= m3 or v20 <= m5 else kept[16 * w + k]
+            <= m1 or abs(D3_squared) <= m3 or v20 <= m5 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v3, v4, v41
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v42, v48, v50

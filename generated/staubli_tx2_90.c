@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/staubli_tx2_90.yaml. The formulas and where they come from:
  * staubli_tx2_90.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7e1be802377f3755
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 7e1be802377f3755
  * SPDX-License-Identifier: MIT
  */
 #include "staubli_tx2_90.h"
@@ -150,10 +150,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double t14 = T14 - d6 * T11;
     const double Y1 = d6 * T21 - T24;
     const double N1 = t14 * t14 + Y1 * Y1;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d2 * sqrt(N1));
     const double v2 = t14 * d2, v3 = Y1 * d2;
@@ -173,18 +173,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = -(inverse1 * (v3 + t14 * root1)), s1 = inverse1 * (Y1 * root1 - v2);
+        const double D1 = w1 * e1;
+        const double c1 = -(inverse1 * (v3 + t14 * D1)), s1 = inverse1 * (Y1 * D1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
-        const double v4 = root1 + a1;
+        const double v4 = D1 + a1;
         const double N3 = v5 + v4 * v4;
         const double K3 = N3 - k5;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-        if (!(-boundary3 <= v1 * D3)) continue; /* out of reach */
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        if (!(-boundary3 <= v1 * D3_squared)) continue; /* out of reach */
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double s3 = k5 * K3 * k6;
 
         /* theta2 */
@@ -284,16 +284,18 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1,
-        D1 = N1 - k1, w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (d2 * Y1), v3 = v2 + w1 * (t14 * inverse1),
-        v4 = v2 + w1 * (inverse1 * -t14), v5 = inverse1 * (d2 * t14),
-        s1_p = w1 * (Y1 * inverse1) - v5, s1_m = w1 * (inverse1 * -Y1) - v5;
+        D1_squared = N1 - k1, w1 = dhgen_sqrt_wide(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * Y1),
+        v3 = v2 + w1 * (t14 * inverse1), v4 = v2 + w1 * (inverse1 * -t14),
+        v5 = inverse1 * (d2 * t14), s1_p = w1 * (Y1 * inverse1) - v5,
+        s1_m = w1 * (inverse1 * -Y1) - v5;
 
     /* theta3 */
     const dhgen_wide Z1_3 = T34 - d6 * T31 - d1, v6 = a1 + w1, v7 = a1 - w1, v8 = Z1_3 * Z1_3,
-        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v9 = m4 * v8 + (m4 * N1 - 1.0), v10 = m3 * w1,
+        N3_p = v8 + v6 * v6, N3_m = v8 + v7 * v7,
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v9 = m4 * v8 + (m4 * N1 - 1.0), v10 = m3 * w1,
         s3_p = v9 + v10, s3_m = v9 - v10, v11 = k6 * (k5 * w3_p), v12 = k6 * (k5 * w3_m);
 
     /* theta2 */
@@ -420,8 +422,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v46 <= m7) | (v28 <= m6) | (v45 <= m7) | (v27 <= m6) | (v44 <= m7) |
-        (v26 <= m6) | (v43 <= m7) | (v25 <= m6) | (dhgen_abs_wide(v1 * D3_m) <= m2) |
-        (dhgen_abs_wide(D1) <= m1) | (dhgen_abs_wide(v1 * D3_p) <= m2)) |
+        (v26 <= m6) | (v43 <= m7) | (v25 <= m6) | (dhgen_abs_wide(v1 * D3_squared_m) <= m2) |
+        (dhgen_abs_wide(D1_squared) <= m1) | (dhgen_abs_wide(v1 * D3_squared_p) <= m2)) |
         (dhgen_within_slack_wide(excess_mmm) | dhgen_within_slack_wide(excess_mmp) |
         dhgen_within_slack_wide(excess_mpm) | dhgen_within_slack_wide(excess_mpp) |
         dhgen_within_slack_wide(excess_pmm) | dhgen_within_slack_wide(excess_pmp) |
@@ -443,8 +445,9 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * Y1);
+    const double t14 = T14 - d6 * T11, Y1 = d6 * T21 - T24, N1 = t14 * t14 + Y1 * Y1,
+        D1_squared = N1 - k1, w1 = sqrt(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d2 * Y1);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * t14));
     const double v4 = inverse1 * (d2 * t14);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * Y1)) - v4;
@@ -453,8 +456,8 @@ DHGEN_INLINE int solve_regular(
     const double Z1_3 = T34 - d6 * T31 - d1;
     const dhgen_four v5 = a1 + e1 * w1;
     const double v6 = Z1_3 * Z1_3;
-    const dhgen_four N3 = v6 + v5 * v5, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3);
+    const dhgen_four N3 = v6 + v5 * v5, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared);
     const double v7 = m4 * v6 + (m4 * N1 - 1.0);
     const dhgen_four s3 = v7 + w1 * (m3 * e1), v8 = k6 * (k5 * w3);
 
@@ -477,7 +480,7 @@ DHGEN_INLINE int solve_regular(
         v28 = dhgen_signed_four(DHGEN_HALF_TURN, -v17);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (dhgen_abs_four(v1
-        * D3) <= m2) | ((v13 <= m6) | (v19 <= m7))) | (unsigned)(fabs(D1) <= m1))
+        * D3_squared) <= m2) | ((v13 <= m6) | (v19 <= m7))) | (unsigned)(fabs(D1_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(S2, -v12),

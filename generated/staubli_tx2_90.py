@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 7e1be802377f3755
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 7e1be802377f3755
 """staubli_tx2_90: Stäubli TX2-90.
 
 Inverse kinematics, generated from robots/staubli_tx2_90.yaml and templates/python/solver.py.jinja.
@@ -207,11 +207,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     t14 = T14 - d6 * T11
     Y1 = d6 * T21 - T24
     N1 = t14 * t14 + Y1 * Y1
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (N1 if apart1 else d2 * math.sqrt(N1))
     v2, v3 = t14 * d2, Y1 * d2
@@ -232,19 +232,19 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = -(inverse1 * (v3 + t14 * root1)), inverse1 * (Y1 * root1 - v2)
+        D1 = w1 * e1
+        c1, s1 = -(inverse1 * (v3 + t14 * D1)), inverse1 * (Y1 * D1 - v2)
         q1 = _atan2(s1, c1)
 
         # theta3
-        v4 = root1 + a1
+        v4 = D1 + a1
         N3 = v5 + v4 * v4
         K3 = N3 - k5
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         s3 = k5 * K3 * k6
 
         # theta2
@@ -334,8 +334,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[3, 4]
         t14, Y1 = T14 - d6 * T11, d6 * T21 - T24
         N1 = t14 * t14 + Y1 * Y1
-        D1 = N1 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = k4 * w1, 1.0 / N1
         v2 = inverse1 * (d2 * Y1)
         v3, v4, v5 = v2 + w1 * (t14 * inverse1), v2 + w1 * (inverse1 * -t14), inverse1 * (d2 * t14)
@@ -345,9 +345,9 @@ def _formulas(kept, turns, rows, w):
         Z1_3, v6, v7 = T34 - d6 * T31 - d1, a1 + w1, a1 - w1
         v8 = Z1_3 * Z1_3
         N3_p, N3_m = v8 + v6 * v6, v8 + v7 * v7
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m, v9 = math.sqrt(D3_p), math.sqrt(D3_m), m4 * v8 + (m4 * N1 - 1.0)
-        v10 = m3 * w1
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v9, v10 = math.sqrt(D3_squared_m), m4 * v8 + (m4 * N1 - 1.0), m3 * w1
         s3_p, s3_m, v11 = v9 + v10, v9 - v10, k6 * (k5 * w3_p)
         v12 = k6 * (k5 * w3_m)
 
@@ -386,8 +386,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
             1.0 if v46 <= m7 or v28 <= m6 or v45 <= m7 or v27 <= m6 or v44 <= m7 or v26 <= m6 or v43
-            <= m7 or v25 <= m6 or abs(v1 * D3_m) <= m2 or abs(D1) <= m1 or abs(v1 * D3_p) <= m2 else
-            kept[16 * w + k]
+            <= m7 or v25 <= m6 or abs(v1 * D3_squared_m) <= m2 or abs(D1_squared) <= m1 or abs(v1 *
+            D3_squared_p) <= m2 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = w3_p, w3_m, s3_p
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s3_m, v29, v30

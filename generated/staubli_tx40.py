@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fc3cf3d03413d95a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: fc3cf3d03413d95a
 """staubli_tx40: Stäubli TX40.
 
 Inverse kinematics, generated from robots/staubli_tx40.yaml and templates/python/solver.py.jinja.
@@ -191,11 +191,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
     v2, v3 = X1 * d3, wy * d3
@@ -216,22 +216,22 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = -(inverse1 * (v3 + X1 * root1)), inverse1 * (wy * root1 - v2)
+        D1 = w1 * e1
+        c1, s1 = -(inverse1 * (v3 + X1 * D1)), inverse1 * (wy * D1 - v2)
 
         # theta3
-        N3 = v4 + root1 * root1
+        N3 = v4 + D1 * D1
         K3 = N3 - k5
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
-        if not (-boundary3 <= v1 * D3):
+        if not (-boundary3 <= v1 * D3_squared):
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         s3 = k5 * K3 * k6
 
         # theta2
         X1_2 = a2 + d4 * s3
-        v6, v7 = Z1_3 * X1_2, root1 * X1_2
+        v6, v7 = Z1_3 * X1_2, D1 * X1_2
 
         # theta4
         v10 = T13 * c1 + T23 * s1
@@ -254,7 +254,7 @@ def _solve(pose, q_free, seed, moved, q, status):
 
             # theta2
             Y1_2 = d4 * v5
-            S2 = v6 - root1 * Y1_2
+            S2 = v6 - D1 * Y1_2
             C2 = v7 + Z1_3 * Y1_2
             w2 = math.sqrt(S2 * S2 + C2 * C2)
             free2 = w2 <= free_limit_squared2
@@ -316,8 +316,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
-        D1 = N1 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = w1 - w1, 1.0 / N1
         v2 = inverse1 * (d3 * wy)
         v3, v4, v5 = v2 + w1 * (X1 * inverse1), v2 + w1 * (inverse1 * -X1), inverse1 * (d3 * X1)
@@ -325,9 +325,9 @@ def _formulas(kept, turns, rows, w):
 
         # theta3, type 8: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
         Z1_3 = T34 - d6 * T33 - d1
-        N3 = D1 + Z1_3 * Z1_3
-        D3 = (longest3 - N3) * (N3 - shortest3)
-        w3 = math.sqrt(D3)
+        N3 = D1_squared + Z1_3 * Z1_3
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
+        w3 = math.sqrt(D3_squared)
         v6, v7 = w3 - w3, k5 * (N3 - k5)
 
         # theta2, type 3: U1 A6^-1 [2, 4] and U1 A6^-1 [1, 4]
@@ -372,7 +372,8 @@ def _formulas(kept, turns, rows, w):
         # a joint is free, or branches meet
         kept[16 * w + k] = (
             1.0 if v31 <= m7 or v18 <= m4 or v30 <= m7 or v17 <= m4 or v29 <= m7 or v16 <= m4 or v28
-            <= m7 or abs(D1) <= m1 or abs(D3 * (k4 * w1)) <= m2 or v14 <= m4 else kept[16 * w + k]
+            <= m7 or abs(D1_squared) <= m1 or abs(D3_squared * (k4 * w1)) <= m2 or v14 <= m4 else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = v1, v6, v7
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = s6_pp, s6_pm, s6_mp

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/stewart.yaml and templates/c/parallel.c.jinja.
  * Do not edit: run dhgen robots/stewart.yaml. The formulas and where they come from: stewart.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 7e0d95027cd10e15
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 7e0d95027cd10e15
  * SPDX-License-Identifier: MIT
  */
 #include "stewart.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 7e0d95027cd10e15
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 7e0d95027cd10e15
 """stewart: Stewart platform, six cylinders (6-UPS).
 
 Inverse kinematics, generated from robots/stewart.yaml and templates/python/parallel.py.jinja.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 7e0d95027cd10e15
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 7e0d95027cd10e15
 """stewart_leg: Stewart platform, six cylinders (6-UPS): a leg.
 
 Inverse kinematics, generated from robots/stewart.yaml and templates/python/solver.py.jinja.
@@ -127,10 +127,10 @@ def _solve(pose, q_free, seed, moved, q, status):
         c1 = math.cos(seed[0]) if free1 else -(T14 * factor1)
         s1 = math.sin(seed[0]) if free1 else -(T24 * factor1)
         q1 = _atan2(s1, c1)
-        root1 = w1 * e1
+        D1 = w1 * e1
 
         # theta2, r3
-        w3 = math.sqrt(root1 * root1 + v1)
+        w3 = math.sqrt(D1 * D1 + v1)
         free2 = w3 <= free_limit1
         divisor2 = 1.0 if free2 else w3
 
@@ -141,7 +141,7 @@ def _solve(pose, q_free, seed, moved, q, status):
                 continue  # both signs give the same
             factor2 = e2 / divisor2
             c2 = math.cos(seed[1]) if free2 else T34 * factor2
-            s2 = math.sin(seed[1]) if free2 else -(root1 * factor2)
+            s2 = math.sin(seed[1]) if free2 else -(D1 * factor2)
             q2 = _atan2(s2, c2)
             r3 = w3 * e2
             row = 2 * i1 + i2

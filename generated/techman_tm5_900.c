@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/techman_tm5_900.yaml. The formulas and where they come from:
  * techman_tm5_900.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 36f531dfb6823f05
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 36f531dfb6823f05
  * SPDX-License-Identifier: MIT
  */
 #include "techman_tm5_900.h"
@@ -150,10 +150,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d3 * sqrt(N1));
     const double v2 = X1 * d3, v3 = wy * d3;
@@ -165,8 +165,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = inverse1 * (v3 - X1 * root1), s1 = inverse1 * (v2 + wy * root1);
+        const double D1 = w1 * e1;
+        const double c1 = inverse1 * (v3 - X1 * D1), s1 = inverse1 * (v2 + wy * D1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
         const double X6 = T21 * c1 - T11 * s1;
@@ -213,17 +213,17 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double Z2_3 = Z1_234 * v6 - s234 * d5 + v8;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const double K3 = N3 - k5;
-            const double D3 = (longest3 - N3) * (N3 - shortest3);
+            const double D3_squared = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(-boundary3 <= D3 * v9)) {
-                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
+            if (!(-boundary3 <= D3_squared * v9)) {
+                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3_squared, q[4 * i1 + 2 * i2], &status[4 *
+                    i1 + 2 * i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
-                if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
+                if (free6) dhgen_lose(DHGEN_LOST + 6, D3_squared, q[4 * i1 + 2 * i2], &status[4 * i1
+                    + 2 * i2]);
                 continue; /* out of reach */
             }
-            const double w3 = sqrt(apart3 ? D3 : 0.0);
+            const double w3 = sqrt(apart3 ? D3_squared : 0.0);
             const double c3 = K3 * k6;
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -281,11 +281,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (d3 * wy), c1_p = v2 - w1 * (X1 * inverse1),
-        c1_m = v2 - w1 * (inverse1 * -X1), v3 = inverse1 * (d3 * X1),
-        s1_p = v3 + w1 * (wy * inverse1), s1_m = v3 + w1 * (inverse1 * -wy);
+    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = dhgen_sqrt_wide(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * wy),
+        c1_p = v2 - w1 * (X1 * inverse1), c1_m = v2 - w1 * (inverse1 * -X1),
+        v3 = inverse1 * (d3 * X1), s1_p = v3 + w1 * (wy * inverse1),
+        s1_m = v3 + w1 * (inverse1 * -wy);
 
     /* theta6 */
     const dhgen_wide X6_p = c1_p * T21 - s1_p * T11, X6_m = c1_m * T21 - s1_m * T11,
@@ -319,15 +320,15 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
-        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
-        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = dhgen_sqrt_wide(D3_pp),
-        w3_pm = dhgen_sqrt_wide(D3_pm), w3_mp = dhgen_sqrt_wide(D3_mp),
-        w3_mm = dhgen_sqrt_wide(D3_mm), v25 = w3_pp - w3_pp, v26 = w3_pm - w3_pm,
-        v27 = w3_mp - w3_mp, v28 = w3_mm - w3_mm, angle7 = dhgen_atan2_wide(w3_pp, N3_pp - k5),
-        angle8 = dhgen_atan2_wide(w3_pm, N3_pm - k5), angle9 = dhgen_atan2_wide(w3_mp, N3_mp - k5),
-        angle10 = dhgen_atan2_wide(w3_mm, N3_mm - k5);
+        D3_squared_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_squared_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_squared_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_squared_mm = (longest3 - N3_mm) * (N3_mm - shortest3),
+        w3_pp = dhgen_sqrt_wide(D3_squared_pp), w3_pm = dhgen_sqrt_wide(D3_squared_pm),
+        w3_mp = dhgen_sqrt_wide(D3_squared_mp), w3_mm = dhgen_sqrt_wide(D3_squared_mm),
+        v25 = w3_pp - w3_pp, v26 = w3_pm - w3_pm, v27 = w3_mp - w3_mp, v28 = w3_mm - w3_mm,
+        angle7 = dhgen_atan2_wide(w3_pp, N3_pp - k5), angle8 = dhgen_atan2_wide(w3_pm, N3_pm - k5),
+        angle9 = dhgen_atan2_wide(w3_mp, N3_mp - k5), angle10 = dhgen_atan2_wide(w3_mm, N3_mm - k5);
 
     /* theta2 */
     const dhgen_wide v29 = m6 + m5 * N3_pp, v30 = m6 + m5 * N3_pm, v31 = m6 + m5 * N3_mp,
@@ -399,11 +400,11 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_within_wide(q[42], outside_mmp);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_mm) <= m4) | (dhgen_abs_wide(v1 * D3_mp) <= m4) |
-        (dhgen_abs_wide(v1 * D3_pm) <= m4) | (dhgen_abs_wide(v1 * D3_pp) <= m4) | (v5 <= m2) |
-        (dhgen_abs_wide(D1) <= m1) | (v4 <= m2)) | (dhgen_within_slack_wide(excess_mm) |
-        dhgen_within_slack_wide(excess_mp) | dhgen_within_slack_wide(excess_pp) |
-        dhgen_within_slack_wide(excess_pm));
+    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_squared_mm) <= m4) | (dhgen_abs_wide(v1 *
+        D3_squared_mp) <= m4) | (dhgen_abs_wide(v1 * D3_squared_pm) <= m4) | (dhgen_abs_wide(v1 *
+        D3_squared_pp) <= m4) | (v5 <= m2) | (dhgen_abs_wide(D1_squared) <= m1) | (v4 <= m2)) |
+        (dhgen_within_slack_wide(excess_mm) | dhgen_within_slack_wide(excess_mp) |
+        dhgen_within_slack_wide(excess_pp) | dhgen_within_slack_wide(excess_pm));
 }
 
 #if DHGEN_LANES > 1
@@ -421,8 +422,9 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = sqrt(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d3 * wy);
     const dhgen_four c1 = v2 - w1 * (inverse1 * (e1 * X1));
     const double v3 = inverse1 * (d3 * X1);
     const dhgen_four s1 = v3 + w1 * (inverse1 * (e1 * wy));
@@ -446,13 +448,14 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v13 = d5 * Z1_234, v14 = s234 * v11, Z1_3 = v12 - (v14 + e6 * v13),
         v15 = T14 * c1 + T24 * s1, v16 = Z1_234 * v11, v17 = d5 * s234,
         Z2_3 = v15 + (v16 - e6 * v17), N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3,
-        D3 = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
+        D3_squared = (longest3 - N3) * (N3 - shortest3), w3 = dhgen_sqrt_four(D3_squared),
+        v18 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v19 = m6 + m5 * N3, v20 = Z1_3 * v19, v21 = Z2_3 * v19, v22 = w3 * (m5 * Z2_3);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v4 <= m2) |
-        (dhgen_abs_four(v1 * D3) <= m4)) | (unsigned)(fabs(D1) <= m1))
+        (dhgen_abs_four(v1 * D3_squared) <= m4)) | (unsigned)(fabs(D1_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(Y6, w6, 0, 5, 2, 7),

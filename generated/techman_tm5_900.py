@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 36f531dfb6823f05
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 36f531dfb6823f05
 """techman_tm5_900: Techman TM5-900.
 
 Inverse kinematics, generated from robots/techman_tm5_900.yaml and templates/python/solver.py.jinja.
@@ -198,11 +198,11 @@ def _solve(pose, q_free, seed, moved, q, status):
     X1 = T13 * d6 - T14
     wy = T24 - d6 * T23
     N1 = X1 * X1 + wy * wy
-    D1 = N1 - k1
-    apart1 = k3 < D1
-    if not (-k2 <= D1):
+    D1_squared = N1 - k1
+    apart1 = k3 < D1_squared
+    if not (-k2 <= D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     v1 = (w1 if apart1 else least_root1) * k4
     inverse1 = 1.0 / (N1 if apart1 else d3 * math.sqrt(N1))
     v2, v3 = X1 * d3, wy * d3
@@ -215,8 +215,8 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and not apart1:
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1, s1 = inverse1 * (v3 - X1 * root1), inverse1 * (v2 + wy * root1)
+        D1 = w1 * e1
+        c1, s1 = inverse1 * (v3 - X1 * D1), inverse1 * (v2 + wy * D1)
 
         # theta6, type 2: U1 A6^-1 [3, 2]
         X6 = T21 * c1 - T11 * s1
@@ -266,18 +266,18 @@ def _solve(pose, q_free, seed, moved, q, status):
             Z2_3 = Z1_234 * v6 - s234 * d5 + v8
             N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
             K3 = N3 - k5
-            D3 = (longest3 - N3) * (N3 - shortest3)
+            D3_squared = (longest3 - N3) * (N3 - shortest3)
             apart3 = shortest3_apart < N3 and N3 < longest3_apart
-            if not (-boundary3 <= D3 * v9):
+            if not (-boundary3 <= D3_squared * v9):
                 if near6:
                     status[4 * i1 + 2 * i2] = _status.NEARLY + 6
-                    q[4 * i1 + 2 * i2, 0] = D3
+                    q[4 * i1 + 2 * i2, 0] = D3_squared
                     q[4 * i1 + 2 * i2, 1] = _atan2(v5, -v4)
                 if free6:
                     status[4 * i1 + 2 * i2] = _status.LOST + 6
-                    q[4 * i1 + 2 * i2, 0] = D3
+                    q[4 * i1 + 2 * i2, 0] = D3_squared
                 continue  # out of reach
-            w3 = math.sqrt(D3 if apart3 else 0.0)
+            w3 = math.sqrt(D3_squared if apart3 else 0.0)
             c3 = K3 * k6
 
             # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -329,8 +329,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         X1, wy = d6 * T13 - T14, T24 - d6 * T23
         N1 = X1 * X1 + wy * wy
-        D1 = N1 - k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1 = k4 * w1, 1.0 / N1
         v2 = inverse1 * (d3 * wy)
         c1_p, c1_m, v3 = v2 - w1 * (X1 * inverse1), v2 - w1 * (inverse1 * -X1), inverse1 * (d3 * X1)
@@ -363,13 +363,13 @@ def _formulas(kept, turns, rows, w):
         Z2_3_mm, N3_pp = v20 + (v22 + v24), Z1_3_pp * Z1_3_pp + Z2_3_pp * Z2_3_pp
         N3_pm, N3_mp = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm, Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm
-        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
-        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
-        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
-        D3_mm, w3_pp = (longest3 - N3_mm) * (N3_mm - shortest3), math.sqrt(D3_pp)
-        w3_pm, w3_mp, w3_mm = math.sqrt(D3_pm), math.sqrt(D3_mp), math.sqrt(D3_mm)
-        v25, v26, v27 = w3_pp - w3_pp, w3_pm - w3_pm, w3_mp - w3_mp
-        v28 = w3_mm - w3_mm
+        D3_squared_pp = (longest3 - N3_pp) * (N3_pp - shortest3)
+        D3_squared_pm = (longest3 - N3_pm) * (N3_pm - shortest3)
+        D3_squared_mp = (longest3 - N3_mp) * (N3_mp - shortest3)
+        D3_squared_mm, w3_pp = (longest3 - N3_mm) * (N3_mm - shortest3), math.sqrt(D3_squared_pp)
+        w3_pm, w3_mp = math.sqrt(D3_squared_pm), math.sqrt(D3_squared_mp)
+        w3_mm, v25, v26 = math.sqrt(D3_squared_mm), w3_pp - w3_pp, w3_pm - w3_pm
+        v27, v28 = w3_mp - w3_mp, w3_mm - w3_mm
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         v29, v30, v31 = m6 + m5 * N3_pp, m6 + m5 * N3_pm, m6 + m5 * N3_mp
@@ -381,8 +381,9 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, branches meet, or rounding decides what is beyond a limit
         kept[16 * w + k] = (
-            1.0 if abs(v1 * D3_mm) <= m4 or abs(v1 * D3_mp) <= m4 or abs(v1 * D3_pm) <= m4 or abs(v1
-            * D3_pp) <= m4 or v5 <= m2 or abs(D1) <= m1 or v4 <= m2 else kept[16 * w + k]
+            1.0 if abs(v1 * D3_squared_mm) <= m4 or abs(v1 * D3_squared_mp) <= m4 or abs(v1 *
+            D3_squared_pm) <= m4 or abs(v1 * D3_squared_pp) <= m4 or v5 <= m2 or abs(D1_squared) <=
+            m1 or v4 <= m2 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Y6_p, Y6_m, v10
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v11, v25, v26

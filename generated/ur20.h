@@ -6,7 +6,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad.
  * Every entry of a pose counts.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: c0f9059f8443ee32
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: c0f9059f8443ee32
  * SPDX-License-Identifier: MIT
  */
 #ifndef UR20_H

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 188073c3e2550859
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 188073c3e2550859
  * SPDX-License-Identifier: MIT
  */
 #include "ur5e.h"
@@ -146,10 +146,10 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double X1 = T13 * d6 - T14;
     const double wy = T24 - d6 * T23;
     const double N1 = X1 * X1 + wy * wy;
-    const double D1 = N1 - k1;
-    const int apart1 = k3 < D1;
-    if (!(-k2 <= D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const double D1_squared = N1 - k1;
+    const int apart1 = k3 < D1_squared;
+    if (!(-k2 <= D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double v1 = (apart1 ? w1 : least_root1) * k4;
     const double inverse1 = 1.0 / (apart1 ? N1 : d4 * sqrt(N1));
     const double v2 = X1 * d4, v3 = wy * d4;
@@ -161,8 +161,8 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && !apart1) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = -(inverse1 * (v3 + X1 * root1)), s1 = inverse1 * (wy * root1 - v2);
+        const double D1 = w1 * e1;
+        const double c1 = -(inverse1 * (v3 + X1 * D1)), s1 = inverse1 * (wy * D1 - v2);
         const double q1 = atan2(s1, c1);
 
         /* theta6, type 2: U1 A6^-1 [3, 2] */
@@ -206,17 +206,17 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
             const double Z2_3 = c234 * v6 - s234 * d5 + v8;
             const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
             const double K3 = N3 - k5;
-            const double D3 = (longest3 - N3) * (N3 - shortest3);
+            const double D3_squared = (longest3 - N3) * (N3 - shortest3);
             const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
-            if (!(-boundary3 <= D3 * v9)) {
-                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
+            if (!(-boundary3 <= D3_squared * v9)) {
+                if (near6) dhgen_lose(DHGEN_NEARLY + 6, D3_squared, q[4 * i1 + 2 * i2], &status[4 *
+                    i1 + 2 * i2]);
                 if (near6) q[4 * i1 + 2 * i2][1] = atan2(v5, -v4);
-                if (free6) dhgen_lose(DHGEN_LOST + 6, D3, q[4 * i1 + 2 * i2], &status[4 * i1 + 2 *
-                    i2]);
+                if (free6) dhgen_lose(DHGEN_LOST + 6, D3_squared, q[4 * i1 + 2 * i2], &status[4 * i1
+                    + 2 * i2]);
                 continue; /* out of reach */
             }
-            const double w3 = sqrt(apart3 ? D3 : 0.0);
+            const double w3 = sqrt(apart3 ? D3_squared : 0.0);
             const double c3 = K3 * k6;
 
             /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -273,12 +273,12 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     DHGEN_ENTRIES(dhgen_wide);
 
     /* theta1 */
-    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = dhgen_sqrt_wide(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = inverse1 * (d4 * wy), v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1),
-        v5 = inverse1 * (d4 * X1), s1_p = w1 * (wy * inverse1) - v5,
-        s1_m = w1 * (inverse1 * -wy) - v5, angle1 = dhgen_atan2_wide(s1_p, -v3),
-        angle2 = dhgen_atan2_wide(s1_m, -v4);
+    const dhgen_wide X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = dhgen_sqrt_wide(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d4 * wy),
+        v3 = v2 + w1 * (X1 * inverse1), v4 = v2 + w1 * (inverse1 * -X1), v5 = inverse1 * (d4 * X1),
+        s1_p = w1 * (wy * inverse1) - v5, s1_m = w1 * (inverse1 * -wy) - v5,
+        angle1 = dhgen_atan2_wide(s1_p, -v3), angle2 = dhgen_atan2_wide(s1_m, -v4);
 
     /* theta6 */
     const dhgen_wide v6 = v3 * T21 + s1_p * T11, v7 = v4 * T21 + s1_m * T11,
@@ -310,14 +310,14 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         N3_pm = Z1_3_pm * Z1_3_pm + Z2_3_pm * Z2_3_pm,
         N3_mp = Z1_3_mp * Z1_3_mp + Z2_3_mp * Z2_3_mp,
         N3_mm = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm,
-        D3_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
-        D3_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
-        D3_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
-        D3_mm = (longest3 - N3_mm) * (N3_mm - shortest3), w3_pp = dhgen_sqrt_wide(D3_pp),
-        w3_pm = dhgen_sqrt_wide(D3_pm), w3_mp = dhgen_sqrt_wide(D3_mp),
-        w3_mm = dhgen_sqrt_wide(D3_mm), v31 = w3_pp - w3_pp, v32 = w3_pm - w3_pm,
-        v33 = w3_mp - w3_mp, v34 = w3_mm - w3_mm, angle9 = dhgen_atan2_wide(w3_pp, N3_pp - k5),
-        angle10 = dhgen_atan2_wide(w3_pm, N3_pm - k5),
+        D3_squared_pp = (longest3 - N3_pp) * (N3_pp - shortest3),
+        D3_squared_pm = (longest3 - N3_pm) * (N3_pm - shortest3),
+        D3_squared_mp = (longest3 - N3_mp) * (N3_mp - shortest3),
+        D3_squared_mm = (longest3 - N3_mm) * (N3_mm - shortest3),
+        w3_pp = dhgen_sqrt_wide(D3_squared_pp), w3_pm = dhgen_sqrt_wide(D3_squared_pm),
+        w3_mp = dhgen_sqrt_wide(D3_squared_mp), w3_mm = dhgen_sqrt_wide(D3_squared_mm),
+        v31 = w3_pp - w3_pp, v32 = w3_pm - w3_pm, v33 = w3_mp - w3_mp, v34 = w3_mm - w3_mm,
+        angle9 = dhgen_atan2_wide(w3_pp, N3_pp - k5), angle10 = dhgen_atan2_wide(w3_pm, N3_pm - k5),
         angle11 = dhgen_atan2_wide(w3_mp, N3_mp - k5),
         angle12 = dhgen_atan2_wide(w3_mm, N3_mm - k5);
 
@@ -371,9 +371,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     kind[7] = dhgen_kind_wide(q[42]);
     const dhgen_wide_mask exact = dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL;
-    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_mm) <= m4) | (dhgen_abs_wide(v1 * D3_mp) <= m4) |
-        (dhgen_abs_wide(v1 * D3_pm) <= m4) | (dhgen_abs_wide(v1 * D3_pp) <= m4) | (v11 <= m2) |
-        (dhgen_abs_wide(D1) <= m1) | (v10 <= m2));
+    return (exact == 0) | ((dhgen_abs_wide(v1 * D3_squared_mm) <= m4) | (dhgen_abs_wide(v1 *
+        D3_squared_mp) <= m4) | (dhgen_abs_wide(v1 * D3_squared_pm) <= m4) | (dhgen_abs_wide(v1 *
+        D3_squared_pp) <= m4) | (v11 <= m2) | (dhgen_abs_wide(D1_squared) <= m1) | (v10 <= m2));
 }
 
 #if DHGEN_LANES > 1
@@ -391,8 +391,9 @@ DHGEN_INLINE int solve_regular(
     DHGEN_ENTRIES(double);
 
     /* theta1 */
-    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy, D1 = N1 - k1,
-        w1 = sqrt(D1), v1 = k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d4 * wy);
+    const double X1 = d6 * T13 - T14, wy = T24 - d6 * T23, N1 = X1 * X1 + wy * wy,
+        D1_squared = N1 - k1, w1 = sqrt(D1_squared), v1 = k4 * w1,
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = inverse1 * (d4 * wy);
     const dhgen_four v3 = v2 + w1 * (inverse1 * (e1 * X1));
     const double v4 = inverse1 * (d4 * X1);
     const dhgen_four s1 = w1 * (inverse1 * (e1 * wy)) - v4;
@@ -415,15 +416,15 @@ DHGEN_INLINE int solve_regular(
     const double v15 = T34 - d1;
     const dhgen_four v16 = d5 * c234, v17 = s234 * v14, Z1_3 = v15 + (v17 + e6 * v16),
         v18 = T24 * s1 - T14 * v3, v19 = c234 * v14, v20 = d5 * s234, Z2_3 = v18 + (v19 - e6 * v20),
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v21 = w3 - w3;
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v21 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v22 = m6 + m5 * N3, v23 = Z1_3 * v22, v24 = Z2_3 * v22, v25 = w3 * (m5 * Z2_3),
         v26 = w3 * (m5 * Z1_3);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | (v7 <= m2) |
-        (dhgen_abs_four(v1 * D3) <= m4)) | (unsigned)(fabs(D1) <= m1))
+        (dhgen_abs_four(v1 * D3_squared) <= m4)) | (unsigned)(fabs(D1_squared) <= m1))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, -v6, 0, 5, 2, 7),

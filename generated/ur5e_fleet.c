@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/ur5e.yaml and templates/c/calibrated.c.jinja.
  * Do not edit: run dhgen robots/ur5e.yaml. The formulas and where they come from: ur5e.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 188073c3e2550859
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 188073c3e2550859
  * SPDX-License-Identifier: MIT
  */
 #include "ur5e_fleet.h"
@@ -167,7 +167,7 @@ static const double
 #define KNOWN(number) \
     /* theta1 */ \
     const dhgen_##number X1 = near_d6 * T13 - T14, wy = T24 - near_d6 * T23, \
-        N1 = X1 * X1 + wy * wy, D1 = N1 - near_k1, w1 = dhgen_sqrt_##number(D1), \
+        N1 = X1 * X1 + wy * wy, D1_squared = N1 - near_k1, w1 = dhgen_sqrt_##number(D1_squared), \
         v1 = near_k4 * w1, inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = near_d4 * wy, \
         v3 = inverse1 * v2, v7 = near_d4 * X1, v8 = inverse1 * v7; \
     /* theta3 */ \
@@ -371,7 +371,7 @@ static const double
     /* theta3 */ \
     const dhgen_##number Z1_3 = v24 + (v26 + e6 * v25), Z2_3 = v27 + (v28 - e6 * v29), \
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, v30 = near_longest3 - N3, v31 = N3 - near_shortest3, \
-        D3 = v30 * v31, w3 = dhgen_sqrt_##number(D3), v32 = w3 - w3; \
+        D3_squared = v30 * v31, w3 = dhgen_sqrt_##number(D3_squared), v32 = w3 - w3; \
     /* theta2 */ \
     const dhgen_##number v33 = near_m6 + near_m5 * N3, v34 = Z1_3 * v33, v35 = Z2_3 * v33, \
         v36 = w3 * (near_m5 * Z2_3), v37 = w3 * (near_m5 * Z1_3); \
@@ -410,8 +410,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     dhgen_wide_mask left = (dhgen_pose_misfit_wide(T) + 0.0 * (T[3] + T[7] + T[11]) <=
         DHGEN_ORTHONORMAL) == 0;
     KNOWN(wide);
-    left |= (dhgen_abs_wide(v73 + (D1 + D1)) <= v73) | (dhgen_abs_wide(N1) <= v81) |
-        (dhgen_abs_wide(D1) <= near_m1);
+    left |= (dhgen_abs_wide(v73 + (D1_squared + D1_squared)) <= v73) | (dhgen_abs_wide(N1) <= v81) |
+        (dhgen_abs_wide(D1_squared) <= near_m1);
 
     for (int i1 = 0; i1 < 2; i1++) { /* right, left */
         const double e1 = i1 == 0 ? 1.0 : -1.0;
@@ -455,8 +455,8 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
             q[6 * row + 9] = dhgen_centred_wide(v39); q[6 * row + 10] = q5_p;
             q[6 * row + 11] = q6_p;
             kind[row + 1] = dhgen_kind_wide(q[6 * row + 6]);
-            left |= (dhgen_abs_wide(v1 * D3) <= near_m4) | (dhgen_abs_wide(v364 + (D3 + D3)) <=
-                v364);
+            left |= (dhgen_abs_wide(v1 * D3_squared) <= near_m4) | (dhgen_abs_wide(v364 +
+                (D3_squared + D3_squared)) <= v364);
         }
     }
     return left;
@@ -477,9 +477,9 @@ DHGEN_INLINE int solve_regular(
     SIGNED_TWICE(four, four);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v13 <= near_m2)
-        | (dhgen_abs_four(v13) <= v225)) | ((dhgen_abs_four(v1 * D3) <= near_m4) |
-        (dhgen_abs_four(v364 + (D3 + D3)) <= v364))) | (unsigned)((fabs(v73 + (D1 + D1)) <= v73) |
-        (fabs(N1) <= v81) | (fabs(D1) <= near_m1)))
+        | (dhgen_abs_four(v13) <= v225)) | ((dhgen_abs_four(v1 * D3_squared) <= near_m4) |
+        (dhgen_abs_four(v364 + (D3_squared + D3_squared)) <= v364))) | (unsigned)((fabs(v73 +
+        (D1_squared + D1_squared)) <= v73) | (fabs(N1) <= v81) | (fabs(D1_squared) <= near_m1)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_shuffle(s1, -v12, 0, 5, 2, 7),

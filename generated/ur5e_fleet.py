@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 188073c3e2550859
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 188073c3e2550859
 """ur5e_fleet: Universal Robots UR5e, calibrated.
 
 Inverse kinematics, generated from robots/ur5e.yaml and templates/python/calibrated.py.jinja.
@@ -128,8 +128,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1 A6^-1 [3, 4]
         X1, wy = near_d6 * T13 - T14, T24 - near_d6 * T23
         N1 = X1 * X1 + wy * wy
-        D1 = N1 - near_k1
-        w1 = math.sqrt(D1)
+        D1_squared = N1 - near_k1
+        w1 = math.sqrt(D1_squared)
         v1, inverse1, v2 = near_k4 * w1, 1.0 / N1, near_d4 * wy
         v3, v4, v5 = inverse1 * v2, X1 * inverse1, inverse1 * -X1
         v6, v7, v8 = v3 + w1 * v4, v3 + w1 * v5, near_d4 * X1
@@ -167,11 +167,11 @@ def _formulas(kept, turns, rows, w):
         N3_mm, v43 = Z1_3_mm * Z1_3_mm + Z2_3_mm * Z2_3_mm, near_longest3 - N3_pp
         v44, v45, v46 = near_longest3 - N3_pm, near_longest3 - N3_mp, near_longest3 - N3_mm
         v47, v48, v49 = N3_pp - near_shortest3, N3_pm - near_shortest3, N3_mp - near_shortest3
-        v50, D3_pp, D3_pm = N3_mm - near_shortest3, v43 * v47, v44 * v48
-        D3_mp, D3_mm, w3_pp = v45 * v49, v46 * v50, math.sqrt(D3_pp)
-        w3_pm, w3_mp, w3_mm = math.sqrt(D3_pm), math.sqrt(D3_mp), math.sqrt(D3_mm)
-        v51, v52, v53 = w3_pp - w3_pp, w3_pm - w3_pm, w3_mp - w3_mp
-        v54 = w3_mm - w3_mm
+        v50, D3_squared_pp, D3_squared_pm = N3_mm - near_shortest3, v43 * v47, v44 * v48
+        D3_squared_mp, D3_squared_mm, w3_pp = v45 * v49, v46 * v50, math.sqrt(D3_squared_pp)
+        w3_pm, w3_mp = math.sqrt(D3_squared_pm), math.sqrt(D3_squared_mp)
+        w3_mm, v51, v52 = math.sqrt(D3_squared_mm), w3_pp - w3_pp, w3_pm - w3_pm
+        v53, v54 = w3_mp - w3_mp, w3_mm - w3_mm
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         v55, v56 = near_m6 + near_m5 * N3_pp, near_m6 + near_m5 * N3_pm
@@ -653,12 +653,13 @@ def _formulas(kept, turns, rows, w):
 
         # a joint is free, or branches meet
         kept[18 * w + k] = (
-            1.0 if abs(v116 + (D1 + D1)) <= v116 or abs(D1) <= near_m1 or abs(v692 + (D3_mm +
-            D3_mm)) <= v692 or abs(v1 * D3_mm) <= near_m4 or abs(v691 + (D3_mp + D3_mp)) <= v691 or
-            abs(v1 * D3_mp) <= near_m4 or abs(v690 + (D3_pm + D3_pm)) <= v690 or abs(v1 * D3_pm) <=
-            near_m4 or abs(v689 + (D3_pp + D3_pp)) <= v689 or abs(v1 * D3_pp) <= near_m4 or abs(v17)
-            <= v343 or v17 <= near_m2 or abs(v16) <= v342 or abs(N1) <= v124 or v16 <= near_m2 else
-            kept[18 * w + k]
+            1.0 if abs(v116 + (D1_squared + D1_squared)) <= v116 or abs(D1_squared) <= near_m1 or
+            abs(v692 + (D3_squared_mm + D3_squared_mm)) <= v692 or abs(v1 * D3_squared_mm) <=
+            near_m4 or abs(v691 + (D3_squared_mp + D3_squared_mp)) <= v691 or abs(v1 *
+            D3_squared_mp) <= near_m4 or abs(v690 + (D3_squared_pm + D3_squared_pm)) <= v690 or
+            abs(v1 * D3_squared_pm) <= near_m4 or abs(v689 + (D3_squared_pp + D3_squared_pp)) <=
+            v689 or abs(v1 * D3_squared_pp) <= near_m4 or abs(v17) <= v343 or v17 <= near_m2 or
+            abs(v16) <= v342 or abs(N1) <= v124 or v16 <= near_m2 else kept[18 * w + k]
         )
         kept[19 * w + k], kept[20 * w + k], kept[21 * w + k] = v14, v15, v28
         kept[22 * w + k], kept[23 * w + k], kept[24 * w + k] = v29, v51, v52

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/welding_5r.yaml. The formulas and where they come from:
  * welding_5r.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: bd0d255b66167e58
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: bd0d255b66167e58
  * SPDX-License-Identifier: MIT
  */
 #include "welding_5r.h"
@@ -245,18 +245,18 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5);
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k6;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (near1) dhgen_lose(DHGEN_NEARLY + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (near1) dhgen_lose(DHGEN_NEARLY + 1, D3_squared, q[2 * i1], &status[2 * i1]);
             if (near1) q[2 * i1][1] = v27;
-            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 2, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 3, D3, q[2 * i1], &status[2 * i1]);
-            if (free234) dhgen_lose(DHGEN_LOST + 4, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3_squared, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 2, D3_squared, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 3, D3_squared, q[2 * i1], &status[2 * i1]);
+            if (free234) dhgen_lose(DHGEN_LOST + 4, D3_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k7;
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */

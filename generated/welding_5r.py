@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: bd0d255b66167e58
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: bd0d255b66167e58
 """welding_5r: Welding arm with five joints, its torch tilted aside.
 
 Inverse kinematics, generated from robots/welding_5r.yaml and templates/python/solver.py.jinja.
@@ -262,27 +262,27 @@ def _solve(pose, q_free, seed, moved, q, status):
         Z2_3 = T14 * c1 + T24 * s1 - a1 - (c234 * v29 + s234 * d5)
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k6
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if near1:
                 status[2 * i1] = _status.NEARLY + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
                 q[2 * i1, 1] = v27
             if free1:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             if free234:
                 status[2 * i1] = _status.LOST + 2
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             if free234:
                 status[2 * i1] = _status.LOST + 3
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             if free234:
                 status[2 * i1] = _status.LOST + 4
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k7
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]

@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/wrist_cardan.yaml. The formulas and where they come from:
  * wrist_cardan.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a260cfe748c6ac6c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a260cfe748c6ac6c
  * SPDX-License-Identifier: MIT
  */
 #include "wrist_cardan.h"

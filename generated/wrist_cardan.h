@@ -7,7 +7,7 @@
  * Poses are row-major 4 x 4 matrices of the tool in the base frame, lengths in m, angles in rad. Of
  * a pose, the orientation T[0:3, 0:3] counts; other entries are ignored.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: a260cfe748c6ac6c
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: a260cfe748c6ac6c
  * SPDX-License-Identifier: MIT
  */
 #ifndef WRIST_CARDAN_H

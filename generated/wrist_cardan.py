@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: a260cfe748c6ac6c
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: a260cfe748c6ac6c
 """wrist_cardan: Spherical wrist, cardan axes.
 
 Inverse kinematics, generated from robots/wrist_cardan.yaml and templates/python/solver.py.jinja.

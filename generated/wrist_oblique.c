@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/wrist_oblique.yaml. The formulas and where they come from:
  * wrist_oblique.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
  * SPDX-License-Identifier: MIT
  */
 #include "wrist_oblique.h"
@@ -112,11 +112,11 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
     const double N1 = v1 * v1 + Y1 * Y1;
     const int free1 = N1 <= free_limit_squared2;
     const double Z1 = k1 * (T34 - k3);
-    const double D1 = N1 - Z1 * Z1;
+    const double D1_squared = N1 - Z1 * Z1;
     const double v2 = fabs(Z1), v3 = 2.0 * v2;
-    const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1;
-    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D1)) return; /* out of reach */
-    const double w1 = sqrt(apart1 ? D1 : 0.0);
+    const int apart1 = merge_slack1 * (v3 + merge_slack1) < D1_squared;
+    if (!(-(reach_slack1 * (v3 + reach_slack1)) < D1_squared)) return; /* out of reach */
+    const double w1 = sqrt(apart1 ? D1_squared : 0.0);
     const double inverse1 = 1.0 / (free1 ? 1.0 : (apart1 ? N1 : v2 * sqrt(N1)));
     const double v4 = v1 * Z1, v5 = Y1 * Z1;
 
@@ -134,9 +134,9 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double e1 = i1 == 0 ? 1.0 : -1.0;
         /* theta1 */
         if (e1 < 0.0 && (free1 || !apart1)) continue; /* both signs give the same */
-        const double root1 = w1 * e1;
-        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v5 + v1 * root1),
-            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * root1 - v4);
+        const double D1 = w1 * e1;
+        const double c1 = free1 ? cos(seed[0]) : inverse1 * (v5 + v1 * D1),
+            s1 = free1 ? sin(seed[0]) : inverse1 * (Y1 * D1 - v4);
         const double q1 = atan2(s1, c1);
 
         /* theta3 */
@@ -199,7 +199,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
 
     /* theta1 */
     const dhgen_wide v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = dhgen_sqrt_wide(D1),
+        Z1 = k1 * (T34 - k3), D1_squared = N1 - Z1 * Z1, w1 = dhgen_sqrt_wide(D1_squared),
         inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1,
         c1_p = v3 + v4, c1_m = v3 - v4, v5 = Y1 * w1, s1_p = v5 - v2, v6 = v2 + v5;
 
@@ -266,7 +266,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         DHGEN_ORTHONORMAL;
     return (exact == 0) | ((v28 <= m3) | (v16 <= m3) | (v27 <= m3) | (v15 <= m3) | ((m6 < v78) &
         (v78 <= m7)) | ((m6 < v77) & (v77 <= m7)) | ((m8 < v80) & (v80 <= m9)) | (N1 <=
-        doubt_limit_squared2) | (dhgen_abs_wide(D1) <= m1 * (merge_slack1 + 2.0 *
+        doubt_limit_squared2) | (dhgen_abs_wide(D1_squared) <= m1 * (merge_slack1 + 2.0 *
         dhgen_abs_wide(Z1))) | ((m8 < v79) & (v79 <= m9)));
 }
 
@@ -283,8 +283,8 @@ DHGEN_INLINE int solve_regular(
 
     /* theta1 */
     const double v1 = k1 * (sqrt3 * T14), Y1 = k1 * (sqrt3 * T24), N1 = v1 * v1 + Y1 * Y1,
-        Z1 = k1 * (T34 - k3), D1 = N1 - Z1 * Z1, w1 = sqrt(D1), inverse1 = DHGEN_QUOTIENT(1.0, N1),
-        v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1;
+        Z1 = k1 * (T34 - k3), D1_squared = N1 - Z1 * Z1, w1 = sqrt(D1_squared),
+        inverse1 = DHGEN_QUOTIENT(1.0, N1), v2 = v1 * Z1, v3 = Y1 * Z1, v4 = v1 * w1;
     const dhgen_four c1 = v3 + e1 * v4, v5 = e1 * v1;
     const double v6 = Y1 * w1;
     const dhgen_four s1 = e1 * v6 - v2, v7 = e1 * Y1;
@@ -333,7 +333,7 @@ DHGEN_INLINE int solve_regular(
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) | ((v23 <= m3) |
         (v16 <= m3) | ((m8 < v52) & (v52 <= m9)) | ((m6 < v51) & (v51 <= m7)))) | (unsigned)((N1 <=
-        doubt_limit_squared2) | (fabs(D1) <= m1 * (merge_slack1 + 2.0 * fabs(Z1)))))
+        doubt_limit_squared2) | (fabs(D1_squared) <= m1 * (merge_slack1 + 2.0 * fabs(Z1)))))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(-S3, -C3),

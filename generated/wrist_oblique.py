@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 1cbcbf07d0e3a04a
 """wrist_oblique: Oblique spherical wrist.
 
 Inverse kinematics, generated from robots/wrist_oblique.yaml and templates/python/solver.py.jinja.
@@ -144,13 +144,13 @@ def _solve(pose, q_free, seed, moved, q, status):
     N1 = v1 * v1 + Y1 * Y1
     free1 = N1 <= free_limit_squared2
     Z1 = k1 * (T34 - k3)
-    D1 = N1 - Z1 * Z1
+    D1_squared = N1 - Z1 * Z1
     v2 = abs(Z1)
     v3 = 2.0 * v2
-    apart1 = merge_slack1 * (v3 + merge_slack1) < D1
-    if not (-(reach_slack1 * (v3 + reach_slack1)) < D1):
+    apart1 = merge_slack1 * (v3 + merge_slack1) < D1_squared
+    if not (-(reach_slack1 * (v3 + reach_slack1)) < D1_squared):
         return  # out of reach
-    w1 = math.sqrt(D1 if apart1 else 0.0)
+    w1 = math.sqrt(D1_squared if apart1 else 0.0)
     inverse1 = 1.0 / (1.0 if free1 else (N1 if apart1 else v2 * math.sqrt(N1)))
     v4, v5 = v1 * Z1, Y1 * Z1
 
@@ -171,9 +171,9 @@ def _solve(pose, q_free, seed, moved, q, status):
         # theta1
         if e1 < 0.0 and (free1 or not apart1):
             continue  # both signs give the same
-        root1 = w1 * e1
-        c1 = math.cos(seed[0]) if free1 else inverse1 * (v5 + v1 * root1)
-        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * root1 - v4)
+        D1 = w1 * e1
+        c1 = math.cos(seed[0]) if free1 else inverse1 * (v5 + v1 * D1)
+        s1 = math.sin(seed[0]) if free1 else inverse1 * (Y1 * D1 - v4)
         q1 = _atan2(s1, c1)
 
         # theta3
@@ -228,8 +228,8 @@ def _formulas(kept, turns, rows, w):
         # theta1, type 2: U1[3, 4]
         v1, Y1 = k1 * (sqrt3 * T14), k1 * (sqrt3 * T24)
         N1, Z1 = v1 * v1 + Y1 * Y1, k1 * (T34 - k3)
-        D1 = N1 - Z1 * Z1
-        w1, inverse1, v2 = math.sqrt(D1), 1.0 / N1, v1 * Z1
+        D1_squared = N1 - Z1 * Z1
+        w1, inverse1, v2 = math.sqrt(D1_squared), 1.0 / N1, v1 * Z1
         v3, v4 = Y1 * Z1, v1 * w1
         c1_p, c1_m, v5 = v3 + v4, v3 - v4, Y1 * w1
         s1_p, v6 = v5 - v2, v2 + v5
@@ -298,8 +298,8 @@ def _formulas(kept, turns, rows, w):
         kept[16 * w + k] = (
             1.0 if v28 <= m3 or v16 <= m3 or v27 <= m3 or v15 <= m3 or (m6 < v78 and v78 <= m7) or
             (m6 < v77 and v77 <= m7) or (m8 < v80 and v80 <= m9) or N1 <= doubt_limit_squared2 or
-            abs(D1) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9) else kept[16
-            * w + k]
+            abs(D1_squared) <= m1 * (merge_slack1 + 2.0 * abs(Z1)) or (m8 < v79 and v79 <= m9) else
+            kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], turns[0 * w + k] = v82, v83, s1_p
         turns[1 * w + k], turns[2 * w + k], turns[3 * w + k] = -v6, v23, v24

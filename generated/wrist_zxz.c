@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/wrist_zxz.yaml. The formulas and where they come from:
  * wrist_zxz.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: dd4736fc8f6b852b
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: dd4736fc8f6b852b
  * SPDX-License-Identifier: MIT
  */
 #include "wrist_zxz.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: dd4736fc8f6b852b
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: dd4736fc8f6b852b
 """wrist_zxz: Spherical wrist, axes z, x, z.
 
 Inverse kinematics, generated from robots/wrist_zxz.yaml and templates/python/solver.py.jinja.

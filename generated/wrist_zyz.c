@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/wrist_zyz.yaml. The formulas and where they come from:
  * wrist_zyz.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: cd9df4ea64fe3e1e
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: cd9df4ea64fe3e1e
  * SPDX-License-Identifier: MIT
  */
 #include "wrist_zyz.h"

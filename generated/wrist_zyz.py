@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: cd9df4ea64fe3e1e
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: cd9df4ea64fe3e1e
 """wrist_zyz: Spherical wrist, axes z, y, z.
 
 Inverse kinematics, generated from robots/wrist_zyz.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/xarm5.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm5.yaml. The formulas and where they come from: xarm5.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: b7257d98eb95d607
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: b7257d98eb95d607
  * SPDX-License-Identifier: MIT
  */
 #include "xarm5.h"
@@ -178,13 +178,13 @@ DHGEN_FN void solve(const double *T, const double *free_joints, const double *se
         const double Z2_3 = T14 * c1 + T24 * s1 - v9;
         const double N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3;
         const double K3 = N3 - k1;
-        const double D3 = (longest3 - N3) * (N3 - shortest3);
+        const double D3_squared = (longest3 - N3) * (N3 - shortest3);
         const int apart3 = shortest3_apart < N3 && N3 < longest3_apart;
         if (!(shortest3_reach <= N3 && N3 <= longest3_reach)) {
-            if (free1) dhgen_lose(DHGEN_LOST + 1, D3, q[2 * i1], &status[2 * i1]);
+            if (free1) dhgen_lose(DHGEN_LOST + 1, D3_squared, q[2 * i1], &status[2 * i1]);
             continue; /* out of reach */
         }
-        const double w3 = sqrt(apart3 ? D3 : 0.0);
+        const double w3 = sqrt(apart3 ? D3_squared : 0.0);
         const double c3 = K3 * k2;
 
         /* theta2, type 3: U1[2, 4] and U1[1, 4] */
@@ -287,9 +287,9 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
         v14 = a4 * T33, v15 = T14 * c1 + T24 * s1, v16 = w1 * (m5 * v3),
         v17 = factor234 * (v14 + v16), v18 = factor234 * (v14 - v16), Z2_3_p = v15 - v17,
         v19 = v15 + v18, N3_p = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p,
-        N3_m = Z1_3_m * Z1_3_m + v19 * v19, D3_p = (longest3 - N3_p) * (N3_p - shortest3),
-        D3_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_p),
-        w3_m = dhgen_sqrt_wide(D3_m), v20 = w3_p - w3_p, v21 = w3_m - w3_m,
+        N3_m = Z1_3_m * Z1_3_m + v19 * v19, D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3),
+        D3_squared_m = (longest3 - N3_m) * (N3_m - shortest3), w3_p = dhgen_sqrt_wide(D3_squared_p),
+        w3_m = dhgen_sqrt_wide(D3_squared_m), v20 = w3_p - w3_p, v21 = w3_m - w3_m,
         angle3 = dhgen_atan2_wide(w3_p, N3_p - k1), angle4 = dhgen_atan2_wide(w3_m, N3_m - k1);
 
     /* theta2 */
@@ -360,7 +360,7 @@ DHGEN_INLINE dhgen_wide_mask solve_wide(
     return (exact == 0) | ((v4 <= m2) | (v1 <= m1) | (v5 <= m2) | (m11 < v36 * v36 + v37 * v37 + v38
         * v38 + v39 * v39 + v40 * v40 + v41 * v41) | ((m12 < v58) & (v58 <= m13)) | ((m12 < v57) &
         (v57 <= m13)) | ((m12 < v56) & (v56 <= m13)) | ((m12 < v55) & (v55 <= m13)) |
-        (dhgen_abs_wide(D3_p) <= m6) | (dhgen_abs_wide(D3_m) <= m6));
+        (dhgen_abs_wide(D3_squared_p) <= m6) | (dhgen_abs_wide(D3_squared_m) <= m6));
 }
 
 #if DHGEN_LANES > 1
@@ -401,8 +401,8 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four Z1_3 = v14 + factor234 * v13;
     const double v15 = a4 * T33, v16 = T14 * c1 + T24 * s1;
     const dhgen_four v17 = factor234 * (v15 + w1 * (m5 * v12)), Z2_3 = e1 * v16 - v17,
-        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3 = (longest3 - N3) * (N3 - shortest3),
-        w3 = dhgen_sqrt_four(D3), v18 = w3 - w3;
+        N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3, D3_squared = (longest3 - N3) * (N3 - shortest3),
+        w3 = dhgen_sqrt_four(D3_squared), v18 = w3 - w3;
 
     /* theta2 */
     const dhgen_four v19 = e3 * Z2_3, v20 = m7 * N3 - m8, v21 = Z1_3 * v20,
@@ -425,9 +425,9 @@ DHGEN_INLINE int solve_regular(
     const dhgen_four v47 = dhgen_only_four((v37 <= m12) == 0, v46);
 
     if (dhgen_bits_four(((dhgen_pose_misfit_four(T) <= DHGEN_ORTHONORMAL) == 0) |
-        (dhgen_abs_four(D3) <= m6) | ((m12 < v37) & (v37 <= m13))) | (unsigned)((v4 <= m2) | (v1 <=
-        m1) | (m11 < v26 * v26 + v27 * v27 + v28 * v28 + v29 * v29 + v30 * v30 + v31 * v31) | (v5 <=
-        m2)))
+        (dhgen_abs_four(D3_squared) <= m6) | ((m12 < v37) & (v37 <= m13))) | (unsigned)((v4 <= m2) |
+        (v1 <= m1) | (m11 < v26 * v26 + v27 * v27 + v28 * v28 + v29 * v29 + v30 * v30 + v31 * v31) |
+        (v5 <= m2)))
         return -1;
 
     const dhgen_direction_four ratio1 = dhgen_ratio_four(dhgen_four_of(Yhat1, Yhat1, Yhat1, Yhat1),

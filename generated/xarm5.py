@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: b7257d98eb95d607
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: b7257d98eb95d607
 """xarm5: UFACTORY xArm 5.
 
 Inverse kinematics, generated from robots/xarm5.yaml and templates/python/solver.py.jinja.
@@ -221,14 +221,14 @@ def _solve(pose, q_free, seed, moved, q, status):
         Z2_3 = T14 * c1 + T24 * s1 - v9
         N3 = Z1_3 * Z1_3 + Z2_3 * Z2_3
         K3 = N3 - k1
-        D3 = (longest3 - N3) * (N3 - shortest3)
+        D3_squared = (longest3 - N3) * (N3 - shortest3)
         apart3 = shortest3_apart < N3 and N3 < longest3_apart
         if not (shortest3_reach <= N3 and N3 <= longest3_reach):
             if free1:
                 status[2 * i1] = _status.LOST + 1
-                q[2 * i1, 0] = D3
+                q[2 * i1, 0] = D3_squared
             continue  # out of reach
-        w3 = math.sqrt(D3 if apart3 else 0.0)
+        w3 = math.sqrt(D3_squared if apart3 else 0.0)
         c3 = K3 * k2
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
@@ -328,9 +328,10 @@ def _formulas(kept, turns, rows, w):
         v17, v18 = factor234 * (v14 + v16), factor234 * (v14 - v16)
         Z2_3_p, v19 = v15 - v17, v15 + v18
         N3_p, N3_m = Z1_3_p * Z1_3_p + Z2_3_p * Z2_3_p, Z1_3_m * Z1_3_m + v19 * v19
-        D3_p, D3_m = (longest3 - N3_p) * (N3_p - shortest3), (longest3 - N3_m) * (N3_m - shortest3)
-        w3_p, w3_m = math.sqrt(D3_p), math.sqrt(D3_m)
-        v20, v21 = w3_p - w3_p, w3_m - w3_m
+        D3_squared_p = (longest3 - N3_p) * (N3_p - shortest3)
+        D3_squared_m, w3_p = (longest3 - N3_m) * (N3_m - shortest3), math.sqrt(D3_squared_p)
+        w3_m, v20 = math.sqrt(D3_squared_m), w3_p - w3_p
+        v21 = w3_m - w3_m
 
         # theta2, type 3: U1[2, 4] and U1[1, 4]
         v22, v23 = m7 * N3_p - m8, m7 * N3_m - m8
@@ -374,8 +375,8 @@ def _formulas(kept, turns, rows, w):
         kept[16 * w + k] = (
             1.0 if v4 <= m2 or v1 <= m1 or v5 <= m2 or m11 < v36 * v36 + v37 * v37 + v38 * v38 + v39
             * v39 + v40 * v40 + v41 * v41 or (m12 < v58 and v58 <= m13) or (m12 < v57 and v57 <=
-            m13) or (m12 < v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_p) <= m6 or
-            abs(D3_m) <= m6 else kept[16 * w + k]
+            m13) or (m12 < v56 and v56 <= m13) or (m12 < v55 and v55 <= m13) or abs(D3_squared_p) <=
+            m6 or abs(D3_squared_m) <= m6 else kept[16 * w + k]
         )
         kept[17 * w + k], kept[18 * w + k], kept[19 * w + k] = Yhat1, Z2_5, v20
         kept[20 * w + k], kept[21 * w + k], kept[22 * w + k] = v21, v78, v79

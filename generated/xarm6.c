@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/xarm6.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm6.yaml. The formulas and where they come from: xarm6.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 6b6e4a5ccd645cc3
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 6b6e4a5ccd645cc3
  * SPDX-License-Identifier: MIT
  */
 #include "xarm6.h"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 6b6e4a5ccd645cc3
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 6b6e4a5ccd645cc3
 """xarm6: UFACTORY xArm 6.
 
 Inverse kinematics, generated from robots/xarm6.yaml and templates/python/solver.py.jinja.

@@ -3,7 +3,7 @@
  * Inverse kinematics, generated from robots/xarm7.yaml and templates/c/solver.c.jinja.
  * Do not edit: run dhgen robots/xarm7.yaml. The formulas and where they come from: xarm7.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: fc9fabe66b08c783
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: fc9fabe66b08c783
  * SPDX-License-Identifier: MIT
  */
 #include "xarm7.h"

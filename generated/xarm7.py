@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: fc9fabe66b08c783
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: fc9fabe66b08c783
 """xarm7: UFACTORY xArm 7.
 
 Inverse kinematics, generated from robots/xarm7.yaml and templates/python/solver.py.jinja.

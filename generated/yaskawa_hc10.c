@@ -4,7 +4,7 @@
  * Do not edit: run dhgen robots/yaskawa_hc10.yaml. The formulas and where they come from:
  * yaskawa_hc10.md.
  *
- * dhgen 0.1.0; SHA-256 of the robot file: 19353001efe6454f
+ * dhgen 0.2.0.dev0; SHA-256 of the robot file: 19353001efe6454f
  * SPDX-License-Identifier: MIT
  */
 #include "yaskawa_hc10.h"

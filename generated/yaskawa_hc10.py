@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# dhgen 0.1.0; SHA-256 of the robot file: 19353001efe6454f
+# dhgen 0.2.0.dev0; SHA-256 of the robot file: 19353001efe6454f
 """yaskawa_hc10: Yaskawa HC10.
 
 Inverse kinematics, generated from robots/yaskawa_hc10.yaml and templates/python/solver.py.jinja.

@@ -111,7 +111,7 @@ def reached(context: Lowering, square: Node, ends: Extremes, suffix: str) -> Rea
 
     longest, shortest = extremes("square of the {} reach")
     discriminant = builder.mul(builder.sub(longest, square), builder.sub(square, shortest))
-    builder.name(discriminant, f"D{suffix}")
+    builder.name(discriminant, f"D{suffix}_squared")
     if follows(context, square):
         off = context.scales.out_of_reach(ends, suffix)
         inside = not_below(context, discriminant, off)

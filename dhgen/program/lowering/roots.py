@@ -100,7 +100,7 @@ def signed_root(context: Lowering, suffix: str, reach: Reach, free: Node | None 
         blurred = builder.apply("and", near, builder.apply("not", reach.clear))
         met = builder.apply("or", met, blurred)
     keep_one(context, sign, met if free is None else builder.apply("or", met, free))
-    return builder.hint(builder.mul(sign, length), f"root{suffix}")
+    return builder.hint(builder.mul(sign, length), f"D{suffix}")
 
 
 def _earlier(context: Lowering, sign: Node, reach: Reach, length: Node) -> EarlierRoot:

@@ -99,7 +99,7 @@ def _by_value(context: Lowering, step: Step, square: Node, degree: int) -> tuple
     angle = step.angle
     builder = context.builder
     z = builder.name(context.lower(step.coefficient("Z")), f"Z{angle.suffix}")
-    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}")
+    discriminant = builder.name(builder.sub(square, builder.square(z)), f"D{angle.suffix}_squared")
     twice = builder.mul(builder.integer(2), builder.absolute(z))
     reach, merge, blur = (
         builder.mul(delta, builder.add(twice, delta))  # (|Z| + delta)^2 - Z^2
@@ -151,7 +151,7 @@ def _lower_homogeneous(
     else:
         finish(context, angle, *direction, free)
     if step.fallback is None:
-        root = builder.hint(builder.mul(sign, length), f"root{angle.suffix}")
+        root = builder.hint(builder.mul(sign, length), f"D{angle.suffix}")
         remember(context, step, angle, builder.integer(0), root)
 
 

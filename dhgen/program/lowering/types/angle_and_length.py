@@ -44,7 +44,7 @@ def lower_angle_and_length(context: Lowering, step: Step) -> None:
     a = builder.add(builder.square(w1), builder.square(w2))
     b = builder.name(builder.add(builder.mul(v1, w1), builder.mul(v2, w2)), f"B{unknown.joint}")
     off = builder.sub(builder.mul(v1, w2), builder.mul(v2, w1))
-    discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}")
+    discriminant = builder.name(builder.sub(a, builder.square(off)), f"D{unknown.joint}_squared")
     reach, merge, blur = (
         builder.mul(builder.mul(builder.integer(2), a), delta)
         for delta in context.scales.distances(0)

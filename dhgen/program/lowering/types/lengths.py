@@ -57,7 +57,7 @@ def lower_squared_length(context: Lowering, step: Step) -> None:
     x, y, z = letters(context, step, "X Y Z")
     half = builder.hint(builder.div(y, builder.mul(builder.integer(2), x)), f"H{suffix}")
     square = builder.add(builder.square(half), builder.div(z, x))
-    discriminant = builder.name(square, f"D{suffix}")
+    discriminant = builder.name(square, f"D{suffix}_squared")
     within = reach_of(context, discriminant, context.scales.distances(2), 1)
     root = signed_root(context, suffix, within)
     length = builder.sub(root, half)
