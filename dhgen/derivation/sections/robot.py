@@ -13,6 +13,8 @@ from dhgen.derivation.sections.tables import axes_blocks, table_blocks
 from dhgen.derivation.text.blocks import Given, Heading, Paragraph, Prose, joined, paragraph, say
 from dhgen.derivation.text.formula import ONE, equal, minus, times
 from dhgen.derivation.text.words import counted, many, numeral
+from dhgen.kinematics.neighbours import EXACT, axis_triples
+from dhgen.kinematics.numeric import numeric_arm
 from dhgen.method import Method
 from dhgen.paul.kind import Part
 from dhgen.robot.robot import DhTable, JointKind
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block
     from dhgen.derivation.text.formula import Symbol
+    from dhgen.kinematics.chain import Chain
     from dhgen.program.ir import Axis
     from dhgen.robot.task import Task
 
@@ -174,15 +177,28 @@ def _seen(story: Story, axis: Axis) -> str:
     seen = next((_SEEN[part, word] for word in words if (part, word) in _SEEN), "")
     turns = story.algebra.chain.task.directions is not Directions.NONE
     end = "the wrist" if turns else "the tool"
-    beside = f", unless {end} is nearer to axis 1 than the shoulder"
-    return seen.format(end=end, unless="" if _shoulder_is_on_axis_1(story) else beside)
+    return seen.format(end=end, unless=_unless(story.algebra.chain, end))
 
 
-def _shoulder_is_on_axis_1(story: Story) -> bool:
+def _unless(chain: Chain, end: str) -> str:
+    """Where up and down change places: they are seen by who looks where the arm reaches."""
+    if _forearm_ends_earlier(chain):
+        return f", unless this end is behind the shoulder, seen from axis 1 towards {end}"
+    if _shoulder_is_on_axis_1(chain):
+        return ""
+    return f", unless {end} is nearer to axis 1 than the shoulder"
+
+
+def _forearm_ends_earlier(chain: Chain) -> bool:
+    """Whether a third parallel axis ends it, or a passive one, before what the arm reaches with."""
+    arm = numeric_arm(chain)
+    passive = any(isinstance(each, int) and each > chain.dof for each in arm.elements)
+    return passive or any(triple.tilt < EXACT for triple in axis_triples(chain))
+
+
+def _shoulder_is_on_axis_1(chain: Chain) -> bool:
     """Whether axes 1 and 2 meet, so that nothing is nearer to axis 1 than the shoulder."""
-    return any(
-        pair.first == 1 and pair.meet is not None for pair in neighbours(story.algebra.chain)
-    )
+    return any(pair.first == 1 and pair.meet is not None for pair in neighbours(chain))
 
 
 def _choice(story: Story, place: int, axis: Axis) -> Prose:
