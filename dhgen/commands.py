@@ -17,6 +17,7 @@ from dhgen.method import Method
 from dhgen.places_to_write import (
     print_replaced,
     refuse_mute,
+    refuse_not_ours,
     refuse_occupied,
     refuse_taken,
     refuse_what_was_read,
@@ -103,6 +104,7 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     from dhgen.robot_files import ParallelFile  # noqa: PLC0415
 
     refuse_taken(file, options.out)
+    refuse_not_ours(file.path, options.out, _expected(file, single_file=options.single_file))
     if isinstance(file, ParallelFile):
         _write_parallel(file, options)
         return
@@ -113,7 +115,7 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     print(f"{compilation.robot.name}: {compilation.robot.title}")
     print(derivation_summary(compilation.story))
     report = _written(
-        compilation.files, lambda: verified(compilation, _print_progress), options.out
+        file.path, compilation.files, lambda: verified(compilation, _print_progress), options.out
     )
     compiled = _compared(module) if report.compiled else "no C compiler found: C not tested"
     print(
@@ -127,11 +129,22 @@ def _write_one(file: AnyFile, options: argparse.Namespace) -> None:
     print(f"wrote {', '.join(str(options.out / name) for name in _own(file, compilation))}\n")
 
 
-def _written(files: Mapping[str, str], verified: Callable[[], Verified], out: Path) -> Verified:
-    """The report of verification on files, which are written once it has passed."""
+def _expected(file: AnyFile, *, single_file: bool) -> list[str]:
+    """The files that a robot file will make, as far as they are known before the work."""
+    from dhgen.runtime import runtime_files  # noqa: PLC0415
+    from dhgen.runtime.helpers import helper_files  # noqa: PLC0415
+
+    return [*file.names, *helper_files(), *(() if single_file else runtime_files())]
+
+
+def _written(
+    source: Path, files: Mapping[str, str], verified: Callable[[], Verified], out: Path
+) -> Verified:
+    """The report of verification on a robot file's files, which are written once it has passed."""
     from dhgen.atomic_write import replace_files  # noqa: PLC0415
     from dhgen.verify.compiled import keep_compiled  # noqa: PLC0415
 
+    refuse_not_ours(source, out, files)
     refuse_occupied([out / name for name in files])
     if not sys.stderr.isatty():  # where each stage is shown
         print("verifying what is to be written: this may take a minute ...", flush=True)
@@ -156,7 +169,9 @@ def _write_parallel(file: ParallelFile, options: argparse.Namespace) -> None:
     print(f"{made.robot.name}: {made.robot.title}")
     print(parallel_summary(made.module))
     with about(file.path):
-        report = _written(made.files, lambda: verified_parallel(made, _print_progress), options.out)
+        report = _written(
+            file.path, made.files, lambda: verified_parallel(made, _print_progress), options.out
+        )
     compared = "Python and C agree" if report.compiled else "no C compiler found: C not tested"
     print(
         f"verified on {report.poses} poses of the platform: {report.modes} working modes, largest "

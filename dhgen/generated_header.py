@@ -1,4 +1,4 @@
-"""What generated files hold about themselves, in their first lines."""
+"""What files that dhgen writes hold about themselves, in their first lines."""
 
 from __future__ import annotations
 
@@ -16,6 +16,9 @@ _SOURCE = re.compile(
     re.IGNORECASE,
 )
 _FILE = re.compile(r"generated from (.+?) and templates/")
+_COPIED = "Part of dhgen, which puts a copy of this file beside the robots"  # helpers
+_RUNTIME = ("dhgen", "dhgen_runtime")  # the folders of the runtime
+_LICENCE = "SPDX-License-Identifier: MIT"  # what files of the runtime have in common
 _MADE = re.compile(r"generated from .*templates/.*\. Do not edit", re.IGNORECASE)
 _ROBOT = re.compile(
     r"The formulas and where they come from: (\w+)\.md(?:, of a leg of (\w+))?", re.ASCII
@@ -25,6 +28,19 @@ _ROBOT = re.compile(
 def is_generated(path: Path) -> bool:
     """Whether a file's header marks it as generated."""
     return _MADE.search(_head(path)) is not None
+
+
+def is_of_dhgen(folder: Path, name: str) -> bool:
+    """Whether a file of the output folder is one that dhgen wrote, in this version or an older one.
+
+    Args:
+        folder: The output folder.
+        name: The path of the file in the folder.
+    """
+    head = _head(folder / name)
+    if name.partition("/")[0] in _RUNTIME:
+        return _LICENCE in head
+    return _COPIED in head or _MADE.search(head) is not None
 
 
 def source_folder(path: Path) -> str | None:

@@ -7,10 +7,10 @@ import sys
 from typing import TYPE_CHECKING
 
 from dhgen.errors import CommandError
-from dhgen.generated_header import SUFFIXES, robot_of, source_of
+from dhgen.generated_header import SUFFIXES, is_of_dhgen, robot_of, source_of
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from pathlib import Path
 
     from dhgen.robot_files import AnyFile
@@ -50,6 +50,27 @@ def refuse_taken(file: AnyFile, out: Path) -> None:
                 f"{source_of(path)}: rename one of the robots, write to another folder (--out), or "
                 "remove them if they are left over"
             )
+
+
+def refuse_not_ours(source: Path, out: Path, names: Iterable[str]) -> None:
+    """Stops where files of the user's own have the names of those that are to be written.
+
+    What is empty, and what dhgen wrote, be it of an older version, is written over.
+
+    Args:
+        source: The robot file.
+        out: The output folder.
+        names: The paths in the folder of what is to be written.
+    """
+    there = ((out / name, name) for name in names)
+    full = ((path, name) for path, name in there if path.is_file() and path.stat().st_size)
+    found = [str(path) for path, name in full if not is_of_dhgen(out, name)]
+    if found:
+        are, them = ("are", "them") if len(found) > 1 else ("is", "it")
+        raise CommandError(
+            f"{source}: {', '.join(found)} {are} there already and not made by dhgen: move {them} "
+            "elsewhere, or write to another folder (--out)"
+        )
 
 
 def refuse_occupied(paths: Sequence[Path]) -> None:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, TypeAlias
 from dhgen.descriptions.expand import Outside
 from dhgen.descriptions.wishes import Wishes
 from dhgen.errors import RobotFileError, refused
+from dhgen.generated_header import SUFFIXES
 from dhgen.legs.read import assemble_parallel
 from dhgen.robot.assemble import assemble
 from dhgen.robot.load import demand_right, is_description, load_text, read_text, source_of
@@ -87,6 +88,18 @@ class RobotFile:
         suffixes = [*(precision.suffix for precision in precisions), *fleet]
         return tuple(self.robot.name + suffix for suffix in suffixes)
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What files are called that are made of it, but for figures and what robots share."""
+        name = self.robot.name
+        single = [f"{name}{SINGLE.suffix}{end}" for end in (".c", ".h")]
+        fleet = [f"{name}{FLEET}{end}" for end in (".py", ".c", ".h")]
+        return (
+            *(name + end for end in SUFFIXES),
+            *(single if self.robot.float32 else ()),
+            *(fleet if self.robot.calibration else ()),
+        )
+
 
 @dataclass(frozen=True, slots=True)
 class ParallelFile:
@@ -120,6 +133,11 @@ class ParallelFile:
     def stems(self) -> tuple[str, ...]:
         """What the files are called that are made of it, without what follows the point."""
         return (self.robot.name, *(chain.name for chain in self.robot.chains))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What files are called that are made of it, but for figures and what robots share."""
+        return tuple(stem + end for stem in self.stems for end in SUFFIXES)
 
 
 AnyFile: TypeAlias = RobotFile | ParallelFile

@@ -11,12 +11,15 @@ from typing import NoReturn
 
 import pytest
 
+from dhgen.atomic_write import write_files
 from dhgen.cli import main
 from dhgen.errors import UnsolvedError, VerificationError
+from dhgen.generated_header import is_of_dhgen
 from dhgen.robot_files import RobotFile, load_all
 from tests.cli.commands import (
     FILES,
     PLANAR,
+    ROOT,
     UNSOLVABLE,
     WRONG,
     Run,
@@ -143,6 +146,66 @@ def test_what_an_earlier_run_wrote_for_another_robot_stays(
     assert after == before
 
 
+OF_ANOTHER_VERSION = {
+    "planar_rr.c": "/* x\n *\n * generated from x.yaml and templates/c/x.jinja.\n * Do not edit",
+    "planar_rr.md": "<!-- Generated from x.yaml and templates/document.md.jinja. Do not edit. -->",
+    "dhgen_pose.c": "/* Generated from templates/c/dhgen_pose.c.jinja. Do not edit: x. */",
+    "dhgen_pose.py": '"""Part of dhgen, which puts a copy of this file beside the robots.',
+    "dhgen/arm.h": "/* SPDX-License-Identifier: MIT\n *",
+    "figures/planar_rr_arm.svg": "<svg>\n<!-- Generated from x.yaml and templates/x. Do not edit",
+}
+
+
+@pytest.mark.parametrize(
+    ("own", "told"),
+    [
+        (["planar_rr.c"], "x/planar_rr.c is there already and not made by dhgen: move it"),
+        (
+            ["planar_rr.md", "dhgen_pose.py"],
+            "x/planar_rr.md, x/dhgen_pose.py are there already and not made by dhgen: move them",
+        ),
+        (["dhgen/arm.h"], "x/dhgen/arm.h is there already and not made by dhgen: move it"),
+    ],
+)
+def test_files_that_dhgen_did_not_write_stay_as_they_are(
+    own: list[str], told: str, run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_files(tmp_path / "x", OF_ANOTHER_VERSION | dict.fromkeys(own, "mine"))
+    monkeypatch.setattr("dhgen.commands._compile", lambda *_: pytest.fail("the work has begun"))
+    done = run(PLANAR, "--out", "x", folder=tmp_path)
+    way_out = "elsewhere, or write to another folder (--out)"
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"{PLANAR}: {told} {way_out}\n"
+    assert all((tmp_path / "x" / name).read_text() == "mine" for name in own)
+
+
+def test_figures_that_dhgen_did_not_draw_stay_as_they_are(
+    run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_files(tmp_path / "x", {"figures/planar_rr_arm.svg": "<svg></svg>"})
+    monkeypatch.setattr("dhgen.compiler.verify", lambda *_: pytest.fail("verification has begun"))
+    done = run(PLANAR, "--out", "x", folder=tmp_path)
+    assert done.returncode == 2
+    assert "x/figures/planar_rr_arm.svg is there already and not made by dhgen" in done.stderr
+    assert names(tmp_path / "x") == []
+
+
+def test_files_of_other_versions_and_empty_ones_are_written_over(run: Run, tmp_path: Path) -> None:
+    """Those of 0.1 had all their heads of templates; the runtime's name nothing but its licence."""
+    write_files(tmp_path / "x", OF_ANOTHER_VERSION | {"planar_rr.h": ""})
+    done = run(PLANAR, "--out", "x", folder=tmp_path)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert run("--check", PLANAR, "--out", "x", folder=tmp_path).returncode == 0
+
+
+def test_what_dhgen_writes_is_known_as_its_own() -> None:
+    folder = ROOT / "generated"
+    ends = {".py", ".c", ".h", ".md", ".cuh", ".svg"}  # what else is there Python and numba keep
+    paths = [path for path in folder.rglob("*") if path.suffix in ends]
+    written = [path.relative_to(folder).as_posix() for path in paths]
+    assert [name for name in written if not is_of_dhgen(folder, name)] == []
+
+
 @pytest.mark.breadth
 def test_a_robot_is_the_same_whatever_its_file_is_called(run: Run, tmp_path: Path) -> None:
     (tmp_path / "arm.yaml").write_text(PLANAR.read_text() + "float32: true\n")
@@ -265,8 +328,8 @@ def test_what_can_not_be_written_over_is_told_before_anything_is(
 def test_a_full_disk_leaves_all_files_as_they_were(
     run: Run, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (tmp_path / "x").mkdir()
-    (tmp_path / "x" / "planar_rr.py").write_text("of better times")
+    of_better_times = "# Generated from planar_rr.yaml and templates/x. Do not edit"
+    write_files(tmp_path / "x", {"planar_rr.py": of_better_times})
     write_bytes = Path.write_bytes
 
     def filling(path: Path, content: bytes) -> int:
@@ -278,7 +341,7 @@ def test_a_full_disk_leaves_all_files_as_they_were(
     told = f"dhgen: {os.strerror(errno.ENOSPC)}: x/planar_rr.c\n"
     assert (done.returncode, done.stderr) == (1, told)
     assert [path.name for path in (tmp_path / "x").iterdir()] == ["planar_rr.py"]
-    assert (tmp_path / "x" / "planar_rr.py").read_text() == "of better times"
+    assert (tmp_path / "x" / "planar_rr.py").read_text() == of_better_times
     assert run(PLANAR, "--out", "x", folder=tmp_path).returncode == 0
     assert names(tmp_path / "x") == FILES
     written = (tmp_path / "x" / "planar_rr.c").stat()
