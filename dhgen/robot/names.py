@@ -122,12 +122,21 @@ strspn strstr strtod strtok strtol strtoul system time tmpfile tolower toupper u
 uint64_t uint8_t ungetc va_arg va_end va_list va_start vprintf y0 y1 yn
 """
 
-# As file names these hide what the generated files import or include, or open a device.
+# As file names these hide what the generated files include, or the C library's own headers, or open
+# a device.
 _FILES = """
-aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype errno fenv float
-inttypes iso646 limits llvmlite locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6 lpt7 lpt8 lpt9 math nul
-numba numpy prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint stdio stdlib
-stdnoreturn string tgmath threads time uchar wchar wctype
+alloca arm_neon aux cmath com0 com1 com2 com3 com4 com5 com6 com7 com8 com9 complex con ctype endian
+errno features fenv float immintrin inttypes iso646 limits locale lpt0 lpt1 lpt2 lpt3 lpt4 lpt5 lpt6
+lpt7 lpt8 lpt9 math mm_malloc nul prn setjmp signal stdalign stdarg stdatomic stdbool stddef stdint
+stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype
+"""
+
+# Libraries that the modules beside robots import, and numpy, numba, PyTorch, JAX and CuPy in their
+# turn, be it to see whether they are installed; and what Python itself looks for when it starts.
+_LIBRARIES = """
+cffi charset_normalizer colorama coverage cuda cupy cupy_backends cupyx cython ipython jax jaxlib
+llvmlite ml_dtypes numba numpy nvidia opt_einsum pkg_resources psutil pycparser scipy setuptools
+sitecustomize threadpoolctl torch torchgen typing_extensions usercustomize warp yaml
 """
 
 # Python's standard modules (3.11 to 3.14, small letters), which numpy, or the caller, would not
@@ -163,5 +172,5 @@ C_KEYWORDS = frozenset(_KEYWORDS.split())
 C_LIBRARY = frozenset(
     (*_LIBRARY.split(), *(name + end for name in _MATH.split() for end in ("", "f", "l")))
 )
-FILES = frozenset(f"{_FILES} {_MODULES}".split())
+FILES = frozenset(f"{_FILES} {_LIBRARIES} {_MODULES}".split())
 PYTHON = frozenset(_PYTHON.split())

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import sys
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -10,6 +12,8 @@ from hypothesis import strategies as st
 
 from dhgen.robot.names import why_no_parameter_name, why_no_robot_name
 from tests.robot.robot_texts import JOINTS, MINIMAL, mistake, robot
+
+RUNTIME = Path(__file__).resolve().parents[2] / "dhgen" / "runtime"
 
 
 @pytest.mark.parametrize("name", ["puma560", "KR6_R900", "a", "x" * 48, "turtlebot", "c1"])
@@ -65,6 +69,42 @@ def test_names_of_robots(name: str) -> None:
 )
 def test_names_that_no_robot_can_have(name: str, reason: str) -> None:
     assert (why_no_robot_name(name) or "").startswith(reason)
+
+
+def imported(path: Path) -> set[str]:
+    """What a module imports, by statements and by their names as texts."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        match node:
+            case ast.Import():
+                names |= {alias.name for alias in node.names}
+            case ast.ImportFrom(level=0, module=str(module)):
+                names.add(module)
+            case ast.Call(func=ast.Attribute(attr="import_module"), args=[ast.Constant(str(name))]):
+                names.add(name)
+    return {name.partition(".")[0] for name in names}
+
+
+def test_no_robot_hides_what_lies_beside_it_imports() -> None:
+    paths = [path for folder in ("helpers", "python") for path in (RUNTIME / folder).rglob("*.py")]
+    every = set().union(*map(imported, paths)) - {"__future__"}
+    assert {"jax", "math", "numba", "torch"} < every
+    assert {name for name in every if why_no_robot_name(name) is None} == set()
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *("scipy", "cffi", "setuptools", "cuda", "yaml", "coverage", "IPython"),  # numba and numpy
+        *("torch", "jax", "jaxlib", "cupy", "warp", "nvidia"),  # helpers, and these in their turn
+        *("sitecustomize", "usercustomize"),  # Python when it starts
+        *("immintrin", "features", "endian"),  # headers: -Igenerated goes before the system's
+    ],
+)
+def test_no_robot_hides_a_library(name: str) -> None:
+    """`import scipy` beside a robot of that name would find the robot, also that of numba."""
+    told = "it is the name of a library or a device, so generated files can't have it"
+    assert why_no_robot_name(name) == told
 
 
 def test_no_robot_hides_a_module_of_this_python() -> None:
