@@ -21,11 +21,12 @@ from dhgen.robot.load import DESCRIPTIONS, is_description
 from dhgen.robot.robot import FLEET
 from dhgen.robot.schema import MAX_LEGS
 from dhgen.robot_files import ENDINGS, led_to
+from dhgen.runtime import runtime_files
 from dhgen.tolerances import DOUBLE, SINGLE
 from dhgen.workers import side_by_side
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
     from pathlib import Path
 
     from dhgen.compiler import Compilation
@@ -33,6 +34,9 @@ if TYPE_CHECKING:
     from dhgen.robot_files import AnyFile, RobotFiles
 
 MOST_DIFFERENCES = 60  # lines of a diff that are shown
+MOST_NAMES = 4  # of missing files that are shown
+# In C and in Python that hold what they need of the runtime.
+INSIDE = ("#undef DHGEN_SHARED /* the whole runtime", "# The runtime that this file holds, by")
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,12 +80,11 @@ def compare(
         for name, text in made.items():
             expected[name] = text
             makers.setdefault(name, file.path)
-    problems = []
-    for name, text in sorted(expected.items()):
-        problem = _difference(out / name, text)
-        if problem:
-            command = shlex.join(["dhgen", str(makers[name]), *options])
-            problems.append(f"{problem}\n  to fix: {command}")
+    problems: list[str] = []
+    for maker in dict.fromkeys(makers.values()):
+        own = {name: text for name, text in expected.items() if makers[name] == maker}
+        command = shlex.join(["dhgen", str(maker), *options])
+        problems += _stale(out, own, command, single_file=single_file)
     extra = _extra(files.paths, set(makers.values()), out, set(expected))
     problems += [_extra_text(out / name, files.paths) for name in extra]
     return Comparison(tuple(problems), tuple(refusals))
@@ -111,15 +114,56 @@ def _files_of(
         return refusal
 
 
-def _difference(path: Path, text: str) -> str | None:
-    try:
-        present = path.read_bytes().decode("utf-8", "replace")
-    except (FileNotFoundError, NotADirectoryError):
-        return f"{path}: missing"
-    except OSError as error:  # a folder, or a circle of links
-        return f"{path}: can't be read ({error.strerror})"
-    if present == text:
-        return None
+def _stale(out: Path, own: Mapping[str, str], command: str, *, single_file: bool) -> Iterable[str]:
+    """The message about a robot's files that are not what the compiler makes, if there are any.
+
+    Args:
+        out: The folder.
+        own: What they should be, by their paths in the folder.
+        command: The one that makes them.
+        single_file: Whether they should hold what they need of the runtime.
+    """
+    told, missing, otherwise = [], [], []
+    for name, text in own.items():
+        path = out / name
+        try:
+            present = path.read_bytes().decode("utf-8", "replace")
+        except (FileNotFoundError, NotADirectoryError):
+            missing.append(name)
+        except OSError as error:  # a folder, or a circle of links
+            told.append(f"{path}: can't be read ({error.strerror})")
+        else:
+            if _holds_runtime(present) != _holds_runtime(text):
+                otherwise.append(str(path))
+            elif present != text:
+                told.append(_changed(path, present, text))
+    mend = command
+    if otherwise:
+        made = "without" if single_file else "with"
+        told.append(f"{', '.join(otherwise)}: made {made} --single-file")
+        mend = f"check {made} --single-file, or {command}"
+        missing = [name for name in missing if name not in runtime_files()]
+    told += _missing(out, missing)
+    if told:
+        yield "\n".join([*told, f"  to fix: {mend}"])
+
+
+def _holds_runtime(text: str) -> bool:
+    """Whether a solver in C or Python was made with --single-file, or in single precision."""
+    return any(mark in text for mark in INSIDE)
+
+
+def _missing(out: Path, names: Sequence[str]) -> Iterable[str]:
+    """The message about files that are not there."""
+    if len(names) == 1:
+        yield f"{out / names[0]}: missing"
+    elif names:
+        more = f" and {len(names) - MOST_NAMES} more" * (len(names) > MOST_NAMES)
+        yield f"{out}: {len(names)} files are missing: {', '.join(names[:MOST_NAMES])}{more}"
+
+
+def _changed(path: Path, present: str, text: str) -> str:
+    """The message about a file that is another one, with what differs."""
     diff = difflib.unified_diff(
         present.splitlines(),
         text.splitlines(),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -174,11 +175,38 @@ def test_check_tells_all_refusals_and_what_is_stale_besides(
     assert "extra" not in capfd.readouterr().err
 
 
-def test_check_of_another_folder_names_it(run: Run, written: Path, tmp_path: Path) -> None:
-    done = run("--check", "robots/planar_rr.yaml", "--out", tmp_path / "none", folder=written)
+def test_check_of_another_folder_names_it(run: Run, tmp_path: Path) -> None:
+    """In one line for each robot, however many files are missing."""
+    (tmp_path / "robots").mkdir()
+    for name in ("planar_rr.yaml", "scara.yaml"):
+        shutil.copy(PLANAR.with_name(name), tmp_path / "robots")
+    robots = "robots/planar_rr.yaml", "robots/scara.yaml"
+    none = tmp_path / "none"
+    done = run("--check", *robots, "--out", none, folder=tmp_path)
     assert done.returncode == 1
-    assert f"to fix: dhgen robots/planar_rr.yaml --out {tmp_path / 'none'}\n" in done.stderr
-    assert not (tmp_path / "none").exists()
+    first, fix_first, second, fix_second = done.stderr.splitlines()
+    files = "planar_rr.py, planar_rr.h, planar_rr.c"
+    assert re.fullmatch(rf"{none}: \d+ files are missing: {files}, \S+ and \d+ more", first)
+    assert fix_first == f"  to fix: dhgen robots/planar_rr.yaml --out {none}"
+    assert re.match(rf"{none}: \d+ files are missing: scara.py, ", second)
+    assert fix_second == f"  to fix: dhgen robots/scara.yaml --out {none}"
+    assert not none.exists()
+
+
+def test_check_says_how_a_folder_was_made(written: Path, tmp_path: Path) -> None:
+    """In place of thousands of lines of the runtime, which files hold or do not."""
+    file = RobotFile.read(written / "robots" / "planar_rr.yaml")
+    here = RobotFiles((file.path,), (file,), ())
+    for single_file, made in (True, "with"), (False, "without"):
+        out = tmp_path / made
+        files = compile_loaded(file, out=out, single_file=single_file).files
+        write_files(out, files)
+        (problem,) = compare(here, out, ["--out", str(out)], single_file=not single_file).problems
+        assert problem == (
+            f"{out / 'planar_rr.py'}, {out / 'planar_rr.c'}: made {made} --single-file\n"
+            f"  to fix: check {made} --single-file, or dhgen {file.path} --out {out}"
+        )
+        assert compare(here, out, single_file=single_file).problems == ()
 
 
 def test_commands_that_are_advised_can_be_pasted(run: Run, tmp_path: Path) -> None:
