@@ -10,7 +10,7 @@ from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING
 
-from dhgen.errors import CommandError
+from dhgen.errors import CommandError, refused
 from dhgen.places_to_write import (
     print_replaced,
     refuse_mute,
@@ -57,9 +57,13 @@ def calibrate(options: argparse.Namespace) -> int:
     """Writes the robot file of a calibrated arm; the exit code."""
     from dhgen.calibration.calibrate import calibrate as calibrated_by  # noqa: PLC0415
     from dhgen.calibration.read import read_calibration  # noqa: PLC0415
-    from dhgen.robot_files import RobotFile  # noqa: PLC0415
+    from dhgen.robot_files import ParallelFile, read_file  # noqa: PLC0415
 
-    nominal = RobotFile.read(options.file).robot
+    file = read_file(options.file)
+    if isinstance(file, ParallelFile):
+        message = "a robot with legs is a parallel one: only serial arms are calibrated so far"
+        raise refused(file.path, message)
+    nominal = file.robot
     calibration = read_calibration(options.calibration)
     name = "" if options.out in {None, Path("-")} else options.out.stem
     made = calibrated_by(nominal, calibration, name=name, as_axes=options.axes)

@@ -9,7 +9,9 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
-from dhgen.errors import DhgenError, VerificationError, about
+import numpy as np
+
+from dhgen.errors import CommandError, DhgenError, VerificationError, about
 from dhgen.library.documents import (
     Document,
     as_markdown,
@@ -161,6 +163,7 @@ class Arm:
                 else it is Python, with numba.
 
         Raises:
+            CommandError: progress is no function, or native neither True nor False.
             UnsolvedError: No derivation solves the arm; the message names the reason.
             PrecisionError: The robot file asks for single precision, which this arm can't have.
             VerificationError: The solver does not do what it promises: a bug in dhgen.
@@ -170,10 +173,14 @@ class Arm:
         from dhgen.library.kept import folder_of, is_whole  # noqa: PLC0415
         from dhgen.library.solver import Solver  # noqa: PLC0415
 
+        if progress is not None and not callable(progress):
+            raise CommandError(f"progress takes a function of a text, or None, not {progress!r}")
+        if not isinstance(native, (bool, np.bool_)):
+            raise CommandError(f"native is True or False, not {native!r}")
         folder = folder_of(self.file)
         if not is_whole(folder):
             self._build(folder, progress or no_progress)
-        return Solver(self, folder, in_c=native)
+        return Solver(self, folder, in_c=bool(native))
 
     def _build(self, folder: Path, progress: Callable[[str], None]) -> None:
         from dhgen.compiler import verified  # noqa: PLC0415

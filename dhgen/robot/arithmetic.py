@@ -52,6 +52,10 @@ _NUMBERED = re.compile(r"q\d+", re.ASCII)
 
 _WORD = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 
+# What other languages, and dicts of Python, have in the place of numbers.
+_NO_NUMBERS = dict.fromkeys(("nan", "inf", "infinity"), "not a finite number")
+_NO_NUMBERS |= dict.fromkeys(("true", "false"), "not a number")
+
 _OPERATORS: dict[type[ast.operator], Operator] = {
     ast.Add: "+",
     ast.Sub: "-",
@@ -170,7 +174,10 @@ class _Parser:
             end = self._variable(name)
         elif _NUMBERED.fullmatch(name) and any(map(_NUMBERED.fullmatch, self.values)):
             end = self._numbered(name)
-        error = self._error(node, f"unknown name {quoted(name)}{end}")
+        message = f"unknown name {quoted(name)}{end}"
+        if why := _NO_NUMBERS.get(name.lower()):
+            message = f"{quoted(name)} is {why}"
+        error = self._error(node, message)
         raise UnknownNameError(name, error.message, error.span)
 
     def _variable(self, name: str) -> str:

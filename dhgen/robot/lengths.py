@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 from typing import TYPE_CHECKING, NamedTuple
 
-from dhgen.robot.angles import SNAP
+from dhgen.robot.angles import LARGEST_LENGTH, SNAP
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
@@ -126,13 +126,16 @@ def _note_base(report: Report, lengths: Iterable[Length], longest: Length, unit:
 
 
 def _note_unit(report: Report, longest: Length, unit: str) -> None:
-    """Reports an arm of a size that none has in its unit."""
+    """Reports an arm of a size that none has in its unit, and the one in which some have it."""
     metres = longest.value * METRES[unit]
+    if longest.value > LARGEST_LENGTH:  # a mistake, which is reported
+        return
     if metres > LONGEST or (metres < SHORTEST and unit != "um"):
-        other = "mm" if metres > LONGEST else "m"
+        sizes = {other: longest.value * METRES[other] for other in ("mm", "m", "um")}
+        fitting = (other for other, size in sizes.items() if SHORTEST <= size <= LONGEST)
         size = f"the longest length of this arm is {longest.value:g} {unit}"
-        write = f"write `units: {{length: {other}}}` if that is meant"
-        report.notice(longest.path, f"{size}: {write}")
+        writes = (f"write `units: {{length: {other}}}` if that is meant" for other in fitting)
+        report.notice(longest.path, f"{size}: {next(writes, f'are its lengths in {unit}?')}")
 
 
 def _ratio(pair: tuple[Length, Length]) -> float:

@@ -103,6 +103,12 @@ def test_what_axes_miss_is_told_in_the_file_s_unit(capsys: pytest.CaptureFixture
     assert "axes 4 and 5 miss each other by 0.05 mm" in told.err
 
 
+def test_a_parallel_robot_is_not_calibrated(capsys: pytest.CaptureFixture[str]) -> None:
+    assert calibrated("parallel_3rrr", "deltas: []") == 2
+    told = "a robot with legs is a parallel one: only serial arms are calibrated so far"
+    assert capsys.readouterr().err == f"{ROBOTS / 'parallel_3rrr.yaml'}: {told}\n"
+
+
 def test_an_arm_without_errors_stays_a_table() -> None:
     """The description's default numbers, rounded to 2e-10 rad, are the table's own."""
     assert calibrated("ur5e", NOMINAL) == 0

@@ -137,6 +137,21 @@ def test_one_angle_of_many_turns_is_noted() -> None:
     assert f"note: {note}" in str(arm)
 
 
+@pytest.mark.parametrize(
+    ("option", "told"),
+    [
+        ({"native": 3}, "native is True or False, not 3"),
+        ({"native": "no"}, "native is True or False, not 'no'"),
+        ({"progress": 3}, "progress takes a function of a text, or None, not 3"),
+    ],
+)
+def test_options_of_a_build_are_what_they_should_be(option: dict[str, Any], told: str) -> None:
+    """Found before anything is built, which takes a minute."""
+    arm = dhgen.load(with_rows({"theta": "q", "a": 0.4}, {"theta": "q", "a": 0.3}))
+    with pytest.raises(dhgen.CommandError, match=re.escape(told)):
+        arm.build(**option)
+
+
 def test_frames_are_those_of_the_built_solver(solver: dhgen.Solver) -> None:
     q = np.random.default_rng(4).uniform(-1, 1, (5, solver.arm.dof))
     frames = solver.arm.frames(q)

@@ -225,6 +225,11 @@ def test_lengths_that_may_be_out_of_proportion_are_a_doubt() -> None:
         (["d: 0.29", "a: 270", "d: 0.302"], "mm", "'0.302' is 1/894 of '270', and no length is b"),
         (["d: 0.4", "a: 1.0", "d: 0.2"], "mm", "the longest length of this arm is 1 mm: write `un"),
         (["d: 400", "a: 1000", "d: 0"], "m", "the longest length of this arm is 1000 m: write `un"),
+        (["a: 1e8"], "m", "the longest length of this arm is 1e+08 m: write `units: {length: um"),
+        (["a: 4e5"], "mm", "the longest length of this arm is 400000 mm: write `un"),
+        (["a: 2e8"], "mm", "the longest length of this arm is 2e+08 mm: are its lengths in mm?"),
+        (["a: 0.004"], "m", "the longest length of this arm is 0.004 m: are its lengths in m?"),
+        (["a: 0.004"], "mm", "the longest length of this arm is 0.004 mm: are its lengths in mm?"),
         (["d: 290", "a: 0.27", "a: 70"], "mm", "'0.27' is 1/259 of '70', and no length is"),
         (["d: 0.4", "a: 455", "a: 35"], "mm", "'0.4' is 1/88 of '35', and no length is"),
         (["d: 290", "a: 0.8", "a: 110"], "mm", ""),  # 0.8 m would be longer than the others
