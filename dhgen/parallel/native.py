@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import ctypes
-import subprocess
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from dhgen.errors import VerificationError
 from dhgen.status import Status
-from dhgen.verify.native import C_FLAGS, c_compiler
+from dhgen.verify.native import c_compiler, complaints_of
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -134,10 +133,8 @@ def compiled(
     if compiler is None:
         return None
     names = [module.name, *(chain.name for chain in module.robot.chains)]
-    sources = [str(folder / f"{name}.c") for name in names]
+    sources = [folder / f"{name}.c" for name in names]
     library = folder / f"{module.name}{len(list(folder.glob('*.so')))}.so"
-    command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", *sources, "-o", str(library), "-lm"]
-    done = subprocess.run(command, capture_output=True, text=True, check=False)  # noqa: S603
-    if done.returncode:
-        raise VerificationError(f"{module.name}.c does not compile:\n{done.stderr.strip()}")
+    if complaints := complaints_of(compiler, flags, sources, library):
+        raise VerificationError(f"{module.name}.c does not compile:\n{complaints}")
     return Native(module, ctypes.CDLL(str(library)))

@@ -19,6 +19,7 @@ from dhgen.runtime import PYTHON, python_runtime_files
 from dhgen.runtime import python as runtime
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from types import ModuleType
 
     from numpy.typing import NDArray
@@ -215,18 +216,30 @@ def compile_solver(
     if compiler is None:
         return None
     library = folder / f"{name}-{build.name}.so"
-    complaints = _compiled(compiler, build.flags, source, library)
-    if complaints:
+    if complaints := complaints_of(compiler, build.flags, [source], library):
         _demand_compiler(compiler, folder)
         raise VerificationError(f"{source.name} does not compile:\n{complaints}")
     return CompiledSolver(ctypes.CDLL(str(library)), name, dof, rows, free)
 
 
-def _compiled(compiler: str, flags: tuple[str, ...], source: Path, library: Path) -> str:
-    """Compiles a file; returns the compiler's messages, nothing where it succeeded."""
-    command = [compiler, *C_FLAGS, *flags, "-shared", "-fPIC", str(source), "-o", str(library)]
+def complaints_of(
+    compiler: str, flags: Sequence[str], sources: Sequence[Path], library: Path
+) -> str:
+    """Compiles files to a library in a passing folder, with warnings as errors.
+
+    Args:
+        compiler: Its path.
+        flags: Those besides C_FLAGS.
+        sources: The files.
+        library: The library; what the compiler leaves behind where it is stopped is beside it.
+
+    Returns:
+        The compiler's messages, nothing where it succeeded.
+    """
+    made = ["-shared", "-fPIC", *map(str, sources), "-o", str(library)]
+    command = [compiler, *C_FLAGS, *flags, *made]
     # Without a PATH it was found where the system keeps commands; it looks for its own in PATH.
-    place = {"PATH": os.environ.get("PATH", os.defpath)}
+    place = {"PATH": os.environ.get("PATH", os.defpath), "TMPDIR": str(library.parent)}
     done = subprocess.run(  # noqa: S603
         [*command, "-lm"], env=os.environ | place, capture_output=True, text=True, check=False
     )
@@ -237,7 +250,7 @@ def _demand_compiler(compiler: str, folder: Path) -> None:
     """CompilerError where it refuses a file of which it takes nothing but a library to refuse."""
     source = folder / "dhgen_nothing.c"
     source.write_text(NOTHING, encoding="utf-8")
-    if errors := _compiled(compiler, (), source, source.with_suffix(".so")):
+    if errors := complaints_of(compiler, (), [source], source.with_suffix(".so")):
         raise CompilerError(
             f"the C compiler {compiler} can't build anything here:\n{errors}\n"
             "fix it, or set $CC to another compiler"

@@ -63,13 +63,14 @@ def copy(written: Path, tmp_path: Path) -> Path:
 
 
 # The command that verifies with few poses: in plain Python all of them take ten seconds.
-HASTY = """-c '
+HASTY_PROGRAM = """
 import sys
 import dhgen.verify.verify
 from dhgen.cli import main
 dhgen.verify.verify.COUNT = 4
 sys.exit(main())
-'"""
+"""
+HASTY = f"-c '{HASTY_PROGRAM}'"
 
 
 def in_shell(

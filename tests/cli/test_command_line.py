@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import NoReturn
 
@@ -18,6 +19,7 @@ from dhgen.robot.source import quoted
 from tests.cli.commands import (
     FILES,
     HASTY,
+    HASTY_PROGRAM,
     PLANAR,
     ROOT,
     WRONG,
@@ -368,6 +370,39 @@ def test_an_interrupt_ends_everything_without_a_word(
     told = process.communicate(timeout=30)
     assert (told[1], process.returncode) == ("dhgen: interrupted\n", 130)
     assert list(tmp_path.iterdir()) == []
+
+
+COMPILER = """\
+#!/bin/sh
+echo half a file > "${TMPDIR:-/tmp}/cc123.s"
+echo at work > "$AT_WORK"
+exec sleep 60
+"""
+
+
+def test_an_interrupt_leaves_nothing_of_the_compiler(tmp_path: Path) -> None:
+    """As of gcc, which is stopped amid its work, and then removes no passing files of its own."""
+    slow, at_work, passing = tmp_path / "slow", tmp_path / "at work", tmp_path / "passing"
+    slow.write_text(COMPILER)
+    slow.chmod(0o755)
+    passing.mkdir()
+    own = {"CC": str(slow), "AT_WORK": str(at_work), "TMPDIR": str(passing)}
+    process = subprocess.Popen(
+        [sys.executable, "-c", HASTY_PROGRAM, str(PLANAR), "--out", str(tmp_path / "x")],
+        env=os.environ | {"PYTHONPATH": str(ROOT), "NUMBA_DISABLE_JIT": "1"} | own,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    for _ in range(600):
+        if at_work.exists() or process.poll() is not None:
+            break
+        time.sleep(0.1)
+    process.send_signal(signal.SIGINT)
+    told = process.communicate(timeout=30)[1]
+    assert (told, process.returncode) == ("dhgen: interrupted\n", 130)
+    assert at_work.exists()
+    assert list(passing.iterdir()) == []
 
 
 def test_workers_end_with_a_command_that_is_killed(tmp_path: Path) -> None:
