@@ -14,6 +14,7 @@ from dhgen.descriptions.mimic import demand_followed, with_followers_limits
 from dhgen.descriptions.misses import misses_note
 from dhgen.descriptions.snap import DEFAULT, LEAST, NEGLIGIBLE, snap
 from dhgen.descriptions.table import cheapest_table, farthest_offset
+from dhgen.descriptions.unread import unread_notes
 from dhgen.descriptions.write import (
     FEW_TURNS,
     Heading,
@@ -94,6 +95,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         raise VerificationError(message + f"{off.moved:.2g} away. This is a bug in dhgen")
     remarks = [
         *chain.notes,
+        *unread_notes(chain.joints),
         *_limit_notes(chain.actuated),
         *narrowed,
         *_unit_notes(chain, arm),

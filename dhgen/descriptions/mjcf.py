@@ -10,7 +10,15 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 from dhgen.descriptions.model import Description, Joint, Mimic, Motion
-from dhgen.descriptions.rotations import about, product, times, to_rpy, turned
+from dhgen.descriptions.rotations import (
+    STILL,
+    about,
+    from_quaternion,
+    product,
+    times,
+    to_rpy,
+    turned,
+)
 from dhgen.errors import refused
 from dhgen.robot.source import SourceText, Span
 
@@ -108,7 +116,7 @@ def _joints(
 ) -> list[Joint]:
     """The joints that move a body, one after the other, and the fixed ones around them."""
     link, name = _body(model, int(model.body_parentid[body])), _body(model, body)
-    xyz, rotation = _vector(model.body_pos[body]), _rotation(model.body_quat[body])
+    xyz, rotation = _vector(model.body_pos[body]), from_quaternion(model.body_quat[body])
     first, count = int(model.body_jntadr[body]), int(model.body_jntnum[body])
     found: list[Joint] = []
     for number in range(first, first + count):
@@ -146,7 +154,7 @@ def _joints(
                 place=NOWHERE,
             )
         )
-        link, xyz, rotation = child, times(anchor, -1.0), _rotation((1.0, 0.0, 0.0, 0.0))
+        link, xyz, rotation = child, times(anchor, -1.0), STILL
     if not found or found[-1].child != name:
         found.append(_fixed(name, link, xyz, rotation))
     return found
@@ -157,7 +165,7 @@ def _site(model: Any, site: int) -> Joint:  # noqa: ANN401 - mujoco is optional
     name = model.site(site).name or _unused(model, f"site{site}")
     on = _body(model, int(model.site_bodyid[site]))
     position, quaternion = model.site_pos[site], model.site_quat[site]
-    return _fixed(name, on, _vector(position), _rotation(quaternion))
+    return _fixed(name, on, _vector(position), from_quaternion(quaternion))
 
 
 def _fixed(name: str, parent: str, xyz: Vector, rotation: Rotation) -> Joint:
@@ -194,12 +202,3 @@ def _unused(model: Any, name: str) -> str:  # noqa: ANN401 - mujoco is optional
 def _vector(values: Any) -> Vector:  # noqa: ANN401 - an array of mujoco's
     x, y, z = (float(value) for value in values)
     return x, y, z
-
-
-def _rotation(quaternion: Any) -> Rotation:  # noqa: ANN401 - an array of mujoco's
-    w, x, y, z = (float(value) for value in quaternion)
-    return (
-        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)),
-        (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
-        (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
-    )

@@ -67,6 +67,7 @@ class Joint:
         limits: Lowest and highest value, as written; None where nothing is written.
         mimics: What this one follows, if it does.
         place: Its place in the file.
+        unread: Attributes that no URDF has, each with its element: ("origin", "RPY").
     """
 
     name: str
@@ -79,6 +80,7 @@ class Joint:
     limits: tuple[float, float] | None
     mimics: Mimic | None
     place: Span
+    unread: tuple[tuple[str, str], ...] = ()
 
     @property
     def is_driven(self) -> bool:

@@ -6,6 +6,8 @@ import math
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from dhgen.descriptions.model import Vector
 
     Rotation = tuple[Vector, Vector, Vector]  # row by row
@@ -97,6 +99,16 @@ def from_rpy(rpy: Vector) -> Rotation:
         (cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr),
         (sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr),
         (-sp, cp * sr, cp * cr),
+    )
+
+
+def from_quaternion(quaternion: Sequence[float]) -> Rotation:
+    """The rotation of a unit quaternion w x y z."""
+    w, x, y, z = map(float, quaternion)
+    return (
+        (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - z * w), 2.0 * (x * z + y * w)),
+        (2.0 * (x * y + z * w), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - x * w)),
+        (2.0 * (x * z - y * w), 2.0 * (y * z + x * w), 1.0 - 2.0 * (x * x + y * y)),
     )
 
 

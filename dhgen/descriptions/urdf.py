@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING
 
 from dhgen.descriptions.markup import Element, read_xml
 from dhgen.descriptions.model import Description, Joint, Mimic, Motion
+from dhgen.descriptions.rotations import from_quaternion, to_rpy
 from dhgen.descriptions.tree import check_tree
+from dhgen.descriptions.unread import QUATERNION, unread_attributes
 from dhgen.errors import Diagnostic, RobotFileError
 from dhgen.robot.arithmetic import nearest
 from dhgen.robot.source import Span, quoted
@@ -80,17 +82,34 @@ class _Urdf:
         name = self.name(element)
         motion = self.motion(element)
         parent, child = (self.link(element, tag, links) for tag in ("parent", "child"))
-        origin = self.only(element, "origin")
-        xyz, rpy = (self.vector(origin, key, ORIGIN) for key in ("xyz", "rpy"))
-        axis = self.vector(self.only(element, "axis"), "xyz", X)
+        origin, axis_element = self.only(element, "origin"), self.only(element, "axis")
+        xyz, rpy = self.vector(origin, "xyz", ORIGIN), self.rpy(origin)
+        axis = self.vector(axis_element, "xyz", X)
         if motion.is_actuated and math.hypot(*axis) < 1e-9:
             self.wrong_value(element.all("axis")[0], "xyz", "an axis can't have length 0")
-        mimic = self.only(element, "mimic")
-        limits = self.limits(self.only(element, "limit"), motion)
+        mimic, limit = self.only(element, "mimic"), self.only(element, "limit")
+        limits = self.limits(limit, motion)
         mimics = None if mimic is None else self.mimic(mimic)
         if len(self.mistakes) > before:
             return None
-        return Joint(name, motion, parent, child, xyz, rpy, axis, limits, mimics, element.place)
+        unread = unread_attributes(origin, axis_element, limit)
+        return Joint(
+            name, motion, parent, child, xyz, rpy, axis, limits, mimics, element.place, unread
+        )
+
+    def rpy(self, origin: Element | None) -> Vector:
+        """Roll, pitch and yaw, by a quaternion (x y z w) where that is written in their place."""
+        if origin is None or QUATERNION not in origin.attributes:
+            return self.vector(origin, "rpy", ORIGIN)
+        if "rpy" in origin.attributes:
+            message = f"rpy and {QUATERNION}: only one of them can count"
+            self.wrong_value(origin, QUATERNION, message)
+        x, y, z, w = self.numbers(origin, QUATERNION, (0.0, 0.0, 0.0, 1.0))
+        size = math.hypot(x, y, z, w)
+        if size < 1e-9:
+            self.wrong_value(origin, QUATERNION, "a quaternion can't have length 0")
+            return ORIGIN
+        return to_rpy(from_quaternion((w / size, x / size, y / size, z / size)))
 
     def mimic(self, element: Element) -> Mimic:
         """What a joint follows; mistakes are noted."""
@@ -136,16 +155,21 @@ class _Urdf:
         return found[0] if found else None
 
     def vector(self, element: Element | None, key: str, default: Vector) -> Vector:
-        if element is None or key not in element.attributes:
+        x, y, z = default if element is None else self.numbers(element, key, default)
+        return x, y, z
+
+    def numbers(self, element: Element, key: str, default: tuple[float, ...]) -> tuple[float, ...]:
+        """As many numbers as the default has."""
+        if key not in element.attributes:
             return default
         words = element.attributes[key].split()
-        if len(words) != 3:
+        if len(words) != len(default):
+            count = {3: "three", 4: "four"}[len(default)]
             commas = " without commas" if "," in element.attributes[key] else ""
-            message = f"{key} needs three numbers{commas}, not {quoted(element.attributes[key])}"
+            message = f"{key} needs {count} numbers{commas}, not {quoted(element.attributes[key])}"
             self.wrong_value(element, key, message)
             return default
-        x, y, z = (self.number(element, key, word) for word in words)
-        return x, y, z
+        return tuple(self.number(element, key, word) for word in words)
 
     def limits(self, element: Element | None, motion: Motion) -> tuple[float, float] | None:
         """Both ends, 0 where only one is written; None where a joint has no use for any."""
