@@ -122,7 +122,7 @@ def _longest(description: Description, base: str | None) -> str:
         for joint in children.get(link, ()):
             if _is_hand(joint, children):
                 continue
-            free = joint.motion in {Motion.FLOATING, Motion.PLANAR} or joint.child == base
+            free = joint.motion.is_loose or joint.child == base
             counts[joint.child] = 0 if free else counts[link] + _moves_arm(joint)
             if _moves_arm(joint) and not free:
                 ends[joint.child] = counts[joint.child]
@@ -141,11 +141,14 @@ def _longest(description: Description, base: str | None) -> str:
 
 
 def _tie(description: Description, best: list[str], most: int) -> str:
-    ways = [_from_first_moving(description.joints_to(end)) for end in best]
+    ways = [_from_first_moving(description.joints_to(end)) for end in best[:6]]
+    bases = [
+        next((joint.child for joint in reversed(way) if joint.motion.is_loose), way[0].parent)
+        for way in ways
+    ]
     command = f"dhgen import {description.source.file}"
     shown = [
-        f"{command} --base {way[0].parent} --tip {end}"
-        for way, end in zip(ways[:6], best[:6], strict=True)
+        f"{command} --base {base} --tip {end}" for base, end in zip(bases, best[:6], strict=True)
     ]
     more = [f"and {len(best) - 6} more"] if len(best) > 6 else []
     listed = "\n".join(f"    {line}" for line in (*shown, *more))
@@ -174,10 +177,15 @@ def _from_base(
 
 
 def _from_first_moving(joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
-    """The chain without what is before the first joint that moves, or before a base that drives."""
+    """The chain without what is before the first joint that moves, or before a base that drives.
+
+    Behind a joint of the arm nothing drives a base: what is there is between base and tip.
+    """
     start = 0
     for place, joint in enumerate(joints):
-        if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
+        if _moves_arm(joint):
+            break
+        if joint.motion.is_loose:
             start = place + 1
     while start < len(joints) and not joints[start].motion.is_actuated:
         start += 1
@@ -228,9 +236,9 @@ def _refuse_unfit(description: Description, chain: ArmChain) -> None:
     """Stops where the chain holds what no serial arm has."""
     mistakes: list[Diagnostic] = []
     for joint in chain.joints:
-        if joint.motion in {Motion.FLOATING, Motion.PLANAR}:
-            message = f"a {joint.motion.value} joint is between base and tip: start behind it, "
-            message += f"--base {joint.child}"
+        if joint.motion.is_loose:
+            message = f"a {joint.motion.value} joint is between base and tip, {joint.name}: start "
+            message += f"behind it, --base {joint.child}"
             mistakes.append(description.source.point(joint.place, message))
     if mistakes:
         raise RobotFileError(tuple(mistakes))
@@ -259,7 +267,7 @@ def _notes(description: Description, chain: ArmChain) -> list[str]:
     notes = [
         f"left out: the {joint.motion.value} joint {joint.name}, before the arm's base"
         for joint in description.joints_to(chain.base)
-        if joint.motion in {Motion.FLOATING, Motion.PLANAR}
+        if joint.motion.is_loose
     ]
     notes += _closure_notes(description, chain)
     moving = [joint for joint in sides if _count(children, joint)]

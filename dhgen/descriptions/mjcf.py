@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from dhgen.descriptions.rotations import Rotation
 
 NOWHERE = Span(0)
-_MOTIONS = (Motion.FLOATING, Motion.FLOATING, Motion.PRISMATIC, Motion.REVOLUTE)  # mjtJoint
+_MOTIONS = (Motion.FLOATING, Motion.BALL, Motion.PRISMATIC, Motion.REVOLUTE)  # mjtJoint
 _CONNECT, _WELD, _JOINT_EQUALITY = range(3)  # mjtEq
 _SITE = 6  # mjOBJ_SITE
 _TERMS = 5  # of the polynomial of an equality of joints

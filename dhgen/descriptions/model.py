@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Motion(Enum):
-    """The types of joints of URDF."""
+    """The types of joints of URDF, and the ball of MJCF."""
 
     FIXED = "fixed"
     REVOLUTE = "revolute"
@@ -23,11 +23,17 @@ class Motion(Enum):
     PRISMATIC = "prismatic"
     PLANAR = "planar"
     FLOATING = "floating"
+    BALL = "ball"
 
     @property
     def is_actuated(self) -> bool:
         """Whether one variable moves it."""
         return self in {Motion.REVOLUTE, Motion.CONTINUOUS, Motion.PRISMATIC}
+
+    @property
+    def is_loose(self) -> bool:
+        """Whether it moves in several ways at once, which no serial arm has."""
+        return self in {Motion.PLANAR, Motion.FLOATING, Motion.BALL}
 
     @property
     def turns(self) -> bool:

@@ -126,10 +126,9 @@ class _Urdf:
 
     def motion(self, element: Element) -> Motion:
         given = element.attributes.get("type")
-        try:
+        known = [motion.value for motion in Motion if motion is not Motion.BALL]
+        if given in known:
             return Motion(given)
-        except ValueError:
-            known = [motion.value for motion in Motion]
         if given is None:
             self.wrong(element, f"a <joint> needs a type: {', '.join(known)}")
         else:

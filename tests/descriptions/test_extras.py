@@ -185,3 +185,17 @@ def test_mistakes_of_an_mjcf_are_told(tmp_path: Path) -> None:
     path.write_text(MJCF.replace('pos="0 0 0.3"', 'pos="0 0"'), encoding="utf-8")
     with pytest.raises(RobotFileError, match="MuJoCo can't compile this"):
         imported(path)
+
+
+def test_a_ball_joint_in_an_arm_is_refused_and_one_before_it_is_left_out(tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    path = tmp_path / "arm.xml"
+    path.write_text(MJCF.replace('name="lift" pos', 'type="ball" name="lift" pos'), "utf-8")
+    with pytest.raises(RobotFileError, match="a ball joint is between base and tip, lift: start"):
+        imported(path)
+    base = '<body name="base" pos="0.1 0 0.2">'
+    first = MJCF.replace(base, f'{base}<joint name="neck" type="ball"/><geom size="0.1"/>')
+    path.write_text(first, "utf-8")
+    result = imported(path)
+    assert "left out: the ball joint neck, before the arm's base" in result.notes
+    assert [joint.name for joint in result.chain.actuated] == ["pan", "lift", "slide", "roll"]

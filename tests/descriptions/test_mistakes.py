@@ -117,6 +117,18 @@ def test_a_planar_joint_is_refused_between_base_and_tip_alone() -> None:
         convert(read_urdf(text.encode(), "arm.urdf"), Wishes(base="a", tip="c"))
 
 
+@pytest.mark.parametrize("kind", ["planar", "floating"])
+def test_a_joint_that_no_arm_has_is_no_base_behind_a_drive(kind: str) -> None:
+    links = LINKS + '<link name="d"/>\n<link name="e"/>\n'
+    loose = turn("loose", "b", "c").replace("revolute", kind)
+    joints = turn("one", "a", "b"), loose, turn("two", "c", "d")
+    ((_, told),) = mistakes(robot(*joints, links=links))  # of one joint each
+    assert "--base a --tip b\n" in told
+    assert "--base c --tip d" in told
+    told = f"a {kind} joint is between base and tip, loose: start behind it, --base c"
+    assert mistakes(robot(*joints, turn("three", "d", "e"), links=links)) == [(8, told)]
+
+
 BOMB = (
     '<?xml version="1.0"?>\n<!DOCTYPE r [\n<!ENTITY a "aaaaaaaaaa">\n'
     + "".join(
