@@ -27,6 +27,8 @@ from dhgen.descriptions.write import (
 )
 from dhgen.errors import RobotFileError, VerificationError, refused
 from dhgen.robot.load import load_text
+from dhgen.robot.names import why_no_joint_name
+from dhgen.robot.source import quoted
 from dhgen.robot.task import ARM_ANGLE_JOINTS
 
 if TYPE_CHECKING:
@@ -102,6 +104,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         *([] if off.is_rounding else [_snap_note(snapped, off, near)]),
         *filter(None, [misses_note(arm)]),
         *notes,
+        *_name_notes(arm),
     ]
     return Import(text, robot, chain, off, tuple(remarks))
 
@@ -185,6 +188,18 @@ def _unit_notes(chain: ArmChain, arm: Arm) -> list[str]:
     if wide := [axis.joint.name for axis in arm.axes if looks_like_degrees(axis)]:
         notes.append(f"the limits of {', '.join(wide)} are many turns: they are in rad")
     return notes
+
+
+def _name_notes(arm: Arm) -> list[str]:
+    """A note on names that the robot file has as comments, since it can't hold one of them."""
+    whys = {axis.joint.name: why_no_joint_name(axis.joint.name) for axis in arm.axes}
+    refused_names = [(name, why) for name, why in whys.items() if why is not None]
+    if not refused_names:
+        return []
+    (name, why), more = refused_names[0], len(refused_names) - 1
+    others = f"; nor can it hold {more} more" if more else ""
+    numbered = f"joints are called joint1 to joint{len(arm.axes)}, and their names are comments"
+    return [f"{numbered}: a robot file can't hold {quoted(name)}, {why}{others}"]
 
 
 def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:

@@ -183,6 +183,18 @@ def test_a_name_that_a_robot_file_can_not_hold_is_a_comment() -> None:
     result = imported(text)
     assert "}  # Ellbogen ä\n" in result.text
     assert "name: wrist_1_joint" not in result.text
+    *_, note = result.notes
+    start = "joints are called joint1 to joint6, and their names are comments: a robot file can't "
+    assert note.startswith(f"{start}hold 'Ellbogen ä', it must be plain: letters from a to z")
+    assert not any("comments" in each for each in of_file("ur5").notes)
+
+
+def test_of_several_names_that_a_robot_file_can_not_hold_the_first_is_told() -> None:
+    text = (FILES / "ur5.urdf").read_text(encoding="utf-8").replace("elbow_joint", "e" * 300)
+    *_, note = imported(text.replace("wrist_1_joint", "größe")).notes
+    assert "a robot file can't hold 'eeee" in note
+    assert note.endswith("it has 300 characters; at most 64 are allowed; nor can it hold 1 more")
+    assert len(note) < 300
 
 
 def test_names_that_yaml_would_read_as_something_else_have_quotes() -> None:
