@@ -186,7 +186,7 @@ def _of_pinocchio(
         return None
     try:
         pin = importlib.import_module("pinocchio")
-        text = expanded(path, Outside()) if has_macros(content) else content
+        text = expanded(path, Outside())[0] if has_macros(content) else content
         model = pin.buildModelFromXML(text.decode())
     except (ImportError, ValueError, RuntimeError):
         return None

@@ -207,7 +207,7 @@ def import_parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="NAME:=VALUE",
-        help="of a xacro: the value of an argument",
+        help="of a xacro: the value of an argument; a note tells if it asks for no such one",
     )
     made.add_argument(
         "--out",

@@ -96,6 +96,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         message = f"the robot file made of {description.source.file} is another arm: the tool is "
         raise VerificationError(message + f"{off.moved:.2g} away. This is a bug in dhgen")
     remarks = [
+        *description.notes,
         *chain.notes,
         *unread_notes(chain.joints),
         *_limit_notes(chain.actuated),

@@ -12,7 +12,7 @@ from dhgen.errors import refused
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
     from pathlib import Path
 
 MACROS = b"<xacro:"  # many files declare xacro's namespace and are expanded already
@@ -33,6 +33,38 @@ class Outside:
     arguments: Mapping[str, str] = field(default_factory=dict)
 
 
+class _Asked(dict[str, str]):
+    """Arguments that note which of them are asked for, by `in` or by their value."""
+
+    def __init__(self, given: Mapping[str, str]) -> None:
+        super().__init__(given)
+        self.names: dict[str, None] = {}
+
+    def __contains__(self, name: object) -> bool:
+        self.names[str(name)] = None
+        return super().__contains__(name)
+
+    def __getitem__(self, name: str) -> str:
+        self.names[name] = None
+        return super().__getitem__(name)
+
+    def note(self, given: Mapping[str, str]) -> tuple[str, ...]:
+        """What of the given ones nothing asked for, and what there is; xacro itself takes any."""
+        unasked = [name for name in given if name not in self.names]
+        known = [name for name in self.keys() if name not in unasked]
+        asks = f"it asks for {', '.join(map(quoted, known))}" if known else "it asks for none"
+        return (f"{_not_read(unasked)}, which this xacro doesn't ask for: {asks}",) * bool(unasked)
+
+
+def argument_notes(arguments: Mapping[str, str]) -> tuple[str, ...]:
+    """The note on arguments for what is no xacro."""
+    return (f"{_not_read(arguments)}: a xacro has arguments, and this is none",) * bool(arguments)
+
+
+def _not_read(names: Iterable[str]) -> str:
+    return f"not read: --arg {', '.join(map(quoted, names))}"
+
+
 def has_macros(content: bytes) -> bool:
     """Whether a file is certainly not plain URDF yet."""
     return MACROS in re.sub(rb"<!--.*?-->", b"", content, flags=re.DOTALL)
@@ -43,8 +75,8 @@ def has_expressions(content: bytes) -> bool:
     return any(mark in content for mark in EXPRESSIONS)
 
 
-def expanded(path: Path, outside: Outside) -> bytes:
-    """The URDF of a xacro file.
+def expanded(path: Path, outside: Outside) -> tuple[bytes, tuple[str, ...]]:
+    """The URDF of a xacro file, and notes on its arguments.
 
     Raises:
         RobotFileError: xacrodoc is not installed, a package is not found, or the file has mistakes.
@@ -72,13 +104,15 @@ def expanded(path: Path, outside: Outside) -> bytes:
     raise refused(path, f"xacro asks for more than {MOST_PACKAGES} packages")
 
 
-def _run(xacrodoc: Any, path: Path, arguments: Mapping[str, str]) -> bytes:  # noqa: ANN401
-    file = path.resolve()
+def _run(
+    xacrodoc: Any,  # noqa: ANN401 - xacrodoc is optional
+    path: Path,
+    arguments: Mapping[str, str],
+) -> tuple[bytes, tuple[str, ...]]:
+    file, asked = path.resolve(), _Asked(arguments)
     with contextlib.chdir(file.parent):  # what it includes is beside it
-        document = xacrodoc.XacroDoc.from_file(
-            str(file), subargs=dict(arguments), resolve_packages=False
-        )
-    return str(document.to_urdf_string()).encode()
+        document = xacrodoc.XacroDoc.from_file(str(file), subargs=asked, resolve_packages=False)
+    return str(document.to_urdf_string()).encode(), asked.note(arguments)
 
 
 def _missing_package(error: BaseException | None) -> str:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from dhgen.descriptions.convert import convert
-from dhgen.descriptions.expand import expanded, has_expressions, has_macros
+from dhgen.descriptions.expand import argument_notes, expanded, has_expressions, has_macros
 from dhgen.descriptions.markup import MAX_BYTES, read_xml
 from dhgen.descriptions.mjcf import read_mjcf
 from dhgen.descriptions.urdf import read_urdf
@@ -44,16 +44,18 @@ def read_description(path: Path, outside: Outside) -> Description:
         raise refused(path, "this is an SDF, which is not read: convert it to URDF first")
     if kind is None:
         raise refused(path, "this is no robot description: a URDF begins with <robot>")
+    notes = argument_notes(outside.arguments)
     if kind == "an MJCF":
-        return read_mjcf(path)
+        return replace(read_mjcf(path), notes=notes)
     read_xml(content, str(path))  # what could harm is refused before anything else looks at it
     if not has_macros(content):
         try:
-            return read_urdf(content, str(path))
+            return replace(read_urdf(content, str(path)), notes=notes)
         except RobotFileError:
             if not has_expressions(content):
                 raise
-    return read_urdf(expanded(path, outside), f"{path} (expanded)", "xacro")
+    content, notes = expanded(path, outside)
+    return replace(read_urdf(content, f"{path} (expanded)", "xacro"), notes=notes)
 
 
 def import_file(path: Path, wishes: Wishes, outside: Outside) -> Import:

@@ -105,6 +105,7 @@ class Description:
         joints: By the link that they move.
         source: The text, for remarks.
         closures: Pairs of links that something holds together besides the joints between them.
+        notes: On how the file was read.
     """
 
     name: str
@@ -113,6 +114,7 @@ class Description:
     joints: Mapping[str, Joint]
     source: SourceText
     closures: tuple[tuple[str, str], ...] = ()
+    notes: tuple[str, ...] = ()
 
     def joints_to(self, link: str) -> tuple[Joint, ...]:
         """The joints from the root to a link, in this order."""
