@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from dhgen.descriptions.lines import are_parallel, common_normal
 from dhgen.descriptions.rotations import cross, dot
+from dhgen.descriptions.snap import MOST
 
 if TYPE_CHECKING:
     from dhgen.descriptions.lines import Arm, Axis
@@ -39,8 +40,14 @@ def misses_note(arm: Arm) -> str | None:
     found = _all_misses(arm, "m")
     if not found:
         return None
-    needed = _rounded_up(max(miss.off for miss in found))
-    return f"{_told(found)}; if that is not meant, dhgen import --snap {needed} takes it as exact"
+    needed = [_rounded_up(miss.off) for miss in found]
+    taken = [each for each in needed if float(each) <= MOST]
+    if not taken:
+        why = f"--snap takes at most {MOST:g} as exact"
+        return f"{_told(found)}; if that is not meant, change the description: {why}"
+    what = "it" if len(taken) == len(needed) else "what misses by less"
+    advised = f"dhgen import --snap {max(taken, key=float)} takes {what} as exact"
+    return f"{_told(found)}; if that is not meant, {advised}"
 
 
 def _told(found: list[Miss]) -> str | None:

@@ -80,6 +80,16 @@ def test_what_is_beyond_the_tolerance_is_told_with_what_takes_it() -> None:
     assert not note(imported(text, float(snap[1])), "kept as it is")
 
 
+def test_no_snap_is_advised_that_is_not_taken() -> None:
+    text = CLEAN.replace(RIGHT, "1.556", 1)  # 0.0148 rad off
+    told = note(imported(text), "kept as it is")
+    end = "if that is not meant, change the description: --snap takes at most 0.01 as exact"
+    assert told.endswith(end)
+    told = note(imported(text.replace(RIGHT, "1.57", 1)), "kept as it is")
+    assert told.endswith("dhgen import --snap 9e-4 takes what misses by less as exact")
+    assert note(imported(text.replace(RIGHT, "1.57", 1), 9e-4), "kept as it is").endswith(end)
+
+
 def test_axes_that_nearly_meet_are_told() -> None:
     text = CLEAN.replace('"0 -0.316 0"', '"0.0004 -0.316 0"')
     told = note(imported(text), "kept as it is")
