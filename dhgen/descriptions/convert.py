@@ -10,6 +10,7 @@ from dhgen.descriptions.chain import choose_chain
 from dhgen.descriptions.compare import difference
 from dhgen.descriptions.free_joints import free_joints
 from dhgen.descriptions.lines import arm_of
+from dhgen.descriptions.locked import locked_notes
 from dhgen.descriptions.mimic import demand_followed, with_followers_limits
 from dhgen.descriptions.misses import misses_note
 from dhgen.descriptions.snap import DEFAULT, LEAST, NEGLIGIBLE, snap
@@ -99,6 +100,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         *description.notes,
         *chain.notes,
         *unread_notes(chain.joints),
+        *locked_notes(description.joints_to(chain.tip)),
         *_limit_notes(chain.actuated),
         *narrowed,
         *_unit_notes(chain, arm),
@@ -205,7 +207,8 @@ def _name_notes(arm: Arm) -> list[str]:
 
 def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
     bounded = [joint for joint in joints if joint.motion.value != "continuous"]
-    missing = [joint.name for joint in bounded if joint.limits is None or not any(joint.limits)]
+    missing = [joint.name for joint in bounded if joint.limits is None]
+    zero = [joint.name for joint in bounded if joint.limits and not any(joint.limits)]
     still = [j.name for j in bounded if j.limits and j.limits[0] == j.limits[1] != 0.0]
     swapped = [j.name for j in bounded if j.limits and j.limits[0] > j.limits[1]]
     once = [joint for joint in bounded if ends_once(joint)]
@@ -217,6 +220,11 @@ def _limit_notes(joints: tuple[Joint, ...]) -> list[str]:
         notes.append(f"limits stop {', '.join(sliding)} on one side only: written without")
     if missing:
         notes.append(f"no limits are given for {', '.join(missing)}: written without")
+    if zero:
+        notes.append(
+            f"lower and upper limit are 0 for {', '.join(zero)}, which exporters write for none: "
+            'written without; what is locked there has type="fixed"'
+        )
     if still:
         notes.append(f"lower and upper limit are one for {', '.join(still)}: written without")
     if swapped:

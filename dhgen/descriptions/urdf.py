@@ -6,6 +6,7 @@ import math
 import re
 from typing import TYPE_CHECKING
 
+from dhgen.descriptions.locked import with_locked
 from dhgen.descriptions.markup import Element, read_xml
 from dhgen.descriptions.model import Description, Joint, Mimic, Motion
 from dhgen.descriptions.rotations import from_quaternion, to_rpy
@@ -68,7 +69,8 @@ class _Urdf:
         if self.mistakes:
             raise self.refusal()
         name = self.root.attributes.get("name", "").strip() or "robot"
-        return Description(name, self.kind, root, {j.child: j for j in joints}, self.source)
+        by_child = {joint.child: joint for joint in with_locked(joints)}
+        return Description(name, self.kind, root, by_child, self.source)
 
     def links(self) -> dict[str, Element]:
         elements = self.root.all("link")

@@ -145,7 +145,7 @@ TEN_TURNS = "3600 deg"
         ('<limit effort="1"/>', "no limits are given for panda_joint1", None),
         ("", "no limits are given for panda_joint1", None),
         ('<limit lower="1" upper="-1"/>', "limits of panda_joint1 are in the wrong order", "-1, 1"),
-        ('<limit lower="0.2" upper="0.2"/>', "are one for panda_joint1", None),
+        ('<limit lower="0" upper="0"/>', "upper limit are 0 for panda_joint1, which", None),
         ('<limit lower="-1e9" upper="1e9"/>', "", None),
         ('<limit lower="-inf" upper="inf"/>', "", None),
         ('<limit lower="-inf" upper="2"/>', "panda_joint1 on one side only", f"-{TEN_TURNS}, 2"),
