@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import unicodedata
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -53,8 +54,10 @@ class Heading:
 
 
 def identifier(text: str) -> str:
-    """A robot's name made of any text."""
-    name = re.sub(r"[^a-z0-9]+", "_", text.lower()).strip("_")[:MAX_ROBOT_NAME].rstrip("_")
+    """A robot's name made of any text, of letters with accents those without."""
+    parts = unicodedata.normalize("NFKD", text.casefold())
+    plain_letters = "".join(part for part in parts if not unicodedata.combining(part))
+    name = re.sub(r"[^a-z0-9]+", "_", plain_letters).strip("_")[:MAX_ROBOT_NAME].rstrip("_")
     if not name or name == NOTHING or why_no_robot_name(name) is not None:
         name = f"robot_{name}"[:MAX_ROBOT_NAME].rstrip("_")
     return name

@@ -212,7 +212,11 @@ def test_names_that_yaml_would_read_as_something_else_have_quotes() -> None:
         ("class", "robot_class"),
         ("null", "robot_null"),
         ("true", "robot_true"),
-        ("ÄÖ", "robot"),
+        ("ÄÖ", "ao"),
+        ("Müller Arm 7!", "muller_arm_7"),
+        ("Mu\u0308ller", "muller"),  # the accent a character of its own
+        ("Weiß", "weiss"),
+        ("机器人", "robot"),
         ("", "robot"),
         ("a__b", "a_b"),
         ("x" * 99, "x" * 48),
