@@ -12,7 +12,7 @@ from dhgen.errors import refused
 from dhgen.robot.source import quoted
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Collection, Mapping
     from pathlib import Path
 
 MACROS = b"<xacro:"  # many files declare xacro's namespace and are expanded already
@@ -61,8 +61,9 @@ def argument_notes(arguments: Mapping[str, str]) -> tuple[str, ...]:
     return (f"{_not_read(arguments)}: a xacro has arguments, and this is none",) * bool(arguments)
 
 
-def _not_read(names: Iterable[str]) -> str:
-    return f"not read: --arg {', '.join(map(quoted, names))}"
+def _not_read(names: Collection[str]) -> str:
+    some = "arguments" if len(names) > 1 else "argument"
+    return f"not read: {some} {', '.join(map(quoted, names))}"
 
 
 def has_macros(content: bytes) -> bool:

@@ -203,15 +203,15 @@ def test_a_ball_joint_in_an_arm_is_refused_and_one_before_it_is_left_out(tmp_pat
 
 def test_arguments_that_a_xacro_does_not_ask_for_are_told(xacro: Path) -> None:
     pytest.importorskip("xacrodoc")
-    told = "not read: --arg 'raech', which this xacro doesn't ask for: it asks for 'reach'"
+    told = "not read: argument 'raech', which this xacro doesn't ask for: it asks for 'reach'"
     result = imported(xacro, arguments={"raech": "0.5"})
     assert result.notes[0] == told
     assert {p.value for p in result.robot.parameters} == {0.6, 0.8}
     assert imported(xacro, arguments={"reach": "0.5", "raech": "1"}).notes[0] == told
-    assert not any("--arg" in note for note in imported(xacro, arguments={"reach": "0.5"}).notes)
+    assert not any("argument" in note for note in imported(xacro, arguments={"reach": "0.5"}).notes)
 
 
 def test_a_file_that_is_no_xacro_has_no_arguments() -> None:
     arguments = {"reach": "1", "b": "2"}
     note, *_ = imported(FILES / "ur5.urdf", arguments=arguments).notes
-    assert note == "not read: --arg 'reach', 'b': a xacro has arguments, and this is none"
+    assert note == "not read: arguments 'reach', 'b': a xacro has arguments, and this is none"
