@@ -97,10 +97,7 @@ def convert(description: Description, wishes: Wishes) -> Import:
         message = f"the robot file made of {description.source.file} is another arm: the tool is "
         raise VerificationError(message + f"{off.moved:.2g} away. This is a bug in dhgen")
     remarks = [
-        *description.notes,
-        *chain.notes,
-        *unread_notes(chain.joints),
-        *locked_notes(description.joints_to(chain.tip)),
+        *_reading_notes(description, chain),
         *_limit_notes(chain.actuated),
         *narrowed,
         *_unit_notes(chain, arm),
@@ -110,6 +107,12 @@ def convert(description: Description, wishes: Wishes) -> Import:
         *_name_notes(arm),
     ]
     return Import(text, robot, chain, off, tuple(remarks))
+
+
+def _reading_notes(description: Description, chain: ArmChain) -> list[str]:
+    """Notes on what was chosen, not read, or taken as fixed."""
+    locked = locked_notes(description.joints_to(chain.tip))
+    return [*description.notes, *chain.notes, *unread_notes(chain.joints), *locked]
 
 
 def _demand_joints(description: Description, chain: ArmChain, free: tuple[int, ...] | str) -> None:
