@@ -16,9 +16,9 @@ import pytest
 
 from dhgen.oracle.forward import forward
 from tests.compiling import library, written
+from tests.promises.coupled_drives.test_coupled_drives import bounds, is_inside, shares
 from tests.targets.calling import FREE_JOINT, HELD, LANGUAGES, OK, Solver
 from tests.targets.made import folder, poses_of, robot, robot_path, turning
-from tests.targets.test_coupled_drives import bounds, is_inside, shares
 
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray

@@ -11,7 +11,7 @@ import pytest
 from dhgen.kinematics.build import build_chain
 from tests.targets.made import poses_of, robot
 
-GENERATED = Path(__file__).resolve().parents[2] / "generated"
+GENERATED = Path(__file__).resolve().parents[3] / "generated"
 ARMS = ("bartell_rprpr", "katana_400", "kuka_youbot", "scorbot_pointing", "xarm5")
 SAID = re.compile(r"theta1, type 2: U1\[\d, \d\], so theta1 = atan2\((-?T\d\d), (-?T\d\d)\)")
 EXACT = 1e-9
