@@ -379,26 +379,36 @@ echo at work > "$AT_WORK"
 exec sleep 60
 """
 
+# what is in the background ignores it
+HEEDFUL = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
+"""
+
 
 def test_an_interrupt_leaves_nothing_of_the_compiler(tmp_path: Path) -> None:
-    """As of gcc, which is stopped amid its work, and then removes no passing files of its own."""
+    """As of gcc, which is stopped amid its work, and then removes no passing files of its own.
+
+    Ctrl-C goes to all processes of a terminal's group.
+    """
     slow, at_work, passing = tmp_path / "slow", tmp_path / "at work", tmp_path / "passing"
     slow.write_text(COMPILER)
     slow.chmod(0o755)
     passing.mkdir()
     own = {"CC": str(slow), "AT_WORK": str(at_work), "TMPDIR": str(passing)}
     process = subprocess.Popen(
-        [sys.executable, "-c", HASTY_PROGRAM, str(PLANAR), "--out", str(tmp_path / "x")],
+        [sys.executable, "-c", HEEDFUL + HASTY_PROGRAM, str(PLANAR), "--out", str(tmp_path / "x")],
         env=os.environ | {"PYTHONPATH": str(ROOT), "NUMBA_DISABLE_JIT": "1"} | own,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         text=True,
+        start_new_session=True,
     )
     for _ in range(600):
         if at_work.exists() or process.poll() is not None:
             break
         time.sleep(0.1)
-    process.send_signal(signal.SIGINT)
+    os.killpg(process.pid, signal.SIGINT)
     told = process.communicate(timeout=30)[1]
     assert (told, process.returncode) == ("dhgen: interrupted\n", 130)
     assert at_work.exists()
