@@ -51,7 +51,7 @@ DHGEN_TABLE struct dhgen_joint joints[6] = {
 /* In the order in which they are tried. */
 DHGEN_TABLE dhgen_formulation formulations[2] = {
     { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
+    { { 4, 5, 0, 1, 2, 3 }, 1.0, 0 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of

@@ -223,7 +223,7 @@ _LOOP = _loops.Loop(
     ),
     formulations=(
         _loops.Formulation(joints=(0, 1, 2, 3, 4, 5), sign=1.0),
-        _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
+        _loops.Formulation(joints=(4, 5, 0, 1, 2, 3), sign=1.0),
     ),
     wrist=_loops.Wrist(
         shoulder=5.203881545049196e-10, wrist=-0.0, upper=0.8718955527653943,

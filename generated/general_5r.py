@@ -292,7 +292,7 @@ _LOOP = _loops.Loop(
     ),
     formulations=(
         _loops.Formulation(joints=(4, 5, 0, 1, 2, 3), sign=1.0),
-        _loops.Formulation(joints=(3, 4, 5, 0, 1, 2), sign=1.0),
+        _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
     ),
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)

@@ -299,8 +299,8 @@ _LOOP = _loops.Loop(
         (0.32432432432432434, 0.9459459459459459),
     ),
     formulations=(
-        _loops.Formulation(joints=(4, 3, 2, 1, 0, 5), sign=-1.0),
         _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
+        _loops.Formulation(joints=(4, 3, 2, 1, 0, 5), sign=-1.0),
     ),
     slides=(2,),
 )

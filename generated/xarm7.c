@@ -50,9 +50,10 @@ DHGEN_TABLE struct dhgen_joint joints[7] = {
 };
 
 /* In the order in which they are tried. */
-DHGEN_TABLE dhgen_formulation formulations[2] = {
-    { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
+DHGEN_TABLE dhgen_formulation formulations[3] = {
     { { 0, 1, 2, 3, 4, 5 }, 1.0, 0 },
+    { { 3, 4, 5, 0, 1, 2 }, 1.0, 0 },
+    { { 3, 2, 1, 0, 5, 4 }, -1.0, 0 },
 };
 
 /* The constants of the loop J(q1) K0 J(q2) ... K4 J(q6) = L T R: K0 ... K4, L and R, three rows of
@@ -83,13 +84,19 @@ DHGEN_TABLE dhgen_given_motion motions[1] = {
     { 0, 1.0 },
 };
 
+/* Their values at which formulations vanish. */
+DHGEN_TABLE dhgen_special_value special[2] = {
+    { 0, 1, 1.0, 1e-12, 0x2 },
+    { 0, 1, -1.0, 1e-12, 0x2 },
+};
+
 DHGEN_TABLE dhgen_general_arm general = {
     DHGEN_TRAITS,
     16, /* solutions at most */
     0.3664432918882389, 2.728935205355018, /* the length that is one in the loop, and its inverse */
     4.000000004, /* the square of what is out of reach for all links in line */
     0, /* half the order of the zero where a hidden length is infinite */
-    2, formulations,
+    3, formulations,
     { { 0.6, 0.38461538461538464, 0.47058823529411764, 0.28, 0.6896551724137931, 0.32432432432432434
         }, /* cosines and sines of what is added to the angles in the loop */
         { 0.8, 0.9230769230769231, 0.8823529411764706, 0.96, 0.7241379310344828, 0.9459459459459459
@@ -98,8 +105,8 @@ DHGEN_TABLE dhgen_general_arm general = {
         /* links */
     constants,
     motions,
-    1, 0,
-    given, 0, 0,
+    1, 2,
+    given, special, 0,
 };
 
 

@@ -238,10 +238,15 @@ _LOOP = _loops.Loop(
         (0.32432432432432434, 0.9459459459459459),
     ),
     formulations=(
-        _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
         _loops.Formulation(joints=(0, 1, 2, 3, 4, 5), sign=1.0),
+        _loops.Formulation(joints=(3, 4, 5, 0, 1, 2), sign=1.0),
+        _loops.Formulation(joints=(3, 2, 1, 0, 5, 4), sign=-1.0),
     ),
     given=((1.0, 0.0),),
+    special=(
+        _loops.Special(given=0, cosine=1.0, sine=0.0, within=1e-12, formulations=(1,)),
+        _loops.Special(given=0, cosine=-1.0, sine=0.0, within=1e-12, formulations=(1,)),
+    ),
 )
 _NUMBERS = _loops.general_numbers(_LINKS, _LOOP)
 _all_joints = _runtime("general.rows").all_joints

@@ -23,8 +23,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from dhgen.general.determinant import fold, inverses
-from dhgen.general.hidden_slide import ORDERS, nearness
+import numpy as np
+
+from dhgen.general.hidden_slide import ORDERS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -62,17 +63,12 @@ class Formulation:
         for joint in self.joints:
             number, inverted = self.behind(joint)
             link = P if number is None else around[number]
-            found.append(inverses(link) if inverted else link)
+            found.append(_inverses(link) if inverted else link)
         return found
 
     def slides(self, slides: tuple[int, ...]) -> tuple[bool, ...]:
         """Which of φ1 ... φ6 is a length."""
         return tuple(joint in slides for joint in self.joints)
-
-    def polynomial(self, E: FloatArray, cosine: FloatArray, sine: FloatArray) -> FloatArray:
-        """The determinant of the equations at hidden angles, without its zero at infinity."""
-        determinant, _ = fold(E, cosine, sine)
-        return determinant / nearness(cosine, sine) ** self.order if self.order else determinant
 
 
 def formulations(
@@ -103,3 +99,15 @@ def _every() -> list[Formulation]:
         *(Formulation(order, 1) for order in orders),
         *(Formulation(tuple(5 - i for i in order), -1) for order in orders),
     ]
+
+
+def _inverses(K: FloatArray) -> FloatArray:
+    """The inverses of rigid transforms (..., 4, 4), summed in a fixed order."""
+    result = np.zeros_like(K)
+    result[..., 3, 3] = 1.0
+    for i in range(3):
+        x = [K[..., j, i] for j in range(3)]
+        result[..., i, 3] = -(x[0] * K[..., 0, 3] + x[1] * K[..., 1, 3] + x[2] * K[..., 2, 3])
+        for j in range(3):
+            result[..., i, j] = x[j]
+    return result

@@ -11,10 +11,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from dhgen.general.monomials import slide
-
 if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
 
@@ -25,15 +21,6 @@ ADVANCE = (112 / 113, 15 / 113)
 # Half the order of the determinant's zero at d = ∞: four leave degree 8 on the circle, and eight
 # the degree 4 of arms with eight solutions.
 ORDERS = (8, 7, 6, 5, 4)
-
-
-def on_circle(x: FloatArray) -> FloatArray:
-    """The coefficients of 1, cos ψ and sin ψ in G(Tz(d)) x, times 1 + cos ψ': (3, 15, ..., N)."""
-    one, first, square = slide(x)
-    first, square = UNIT * first, UNIT * UNIT * square
-    c, s = ADVANCE
-    cosine = one - square
-    return np.stack([one + square, c * cosine + s * first, c * first - s * cosine])
 
 
 def stand_in(length: float) -> tuple[float, float]:

@@ -14,18 +14,17 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.general.circle import trigonometric
-from dhgen.general.determinant import equations
 from dhgen.general.determined import middle_determined
 from dhgen.general.formulation import OTHERS, formulations, hiding
-from dhgen.general.four_turns import branches, turns_to_hide
-from dhgen.general.hidden_slide import stand_in
+from dhgen.general.four_turns import turns_to_hide
+from dhgen.general.hidden_slide import nearness, stand_in
 from dhgen.general.kernel import SLIDES_OF_FOUR_TURNS, GeneralKernel, Score
 from dhgen.general.links import Held, Value
 from dhgen.general.loop import JOINTS, QUARTERS, close_loop
 from dhgen.general.offset_wrist import offset_wrist
 from dhgen.general.vanishing import Vanishing
 from dhgen.kinematics.rigid import multiply
-from dhgen.runtime.python.general.tables import COSINES, SAMPLES, SINES
+from dhgen.runtime.python.general.tables import COSINES, SINES
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
@@ -147,6 +146,8 @@ def _scores(
     special: tuple[int, Value] | None = None,
 ) -> list[Score]:
     """The score of each formulation, with one of the held joints at a value if that is given."""
+    from dhgen.general.trial import polynomials  # noqa: PLC0415  takes time
+
     q, links, poses = _witnesses(loop, count, special)
     of_four_turns = len(loop.slides) == SLIDES_OF_FOUR_TURNS
     result = []
@@ -154,9 +155,10 @@ def _scores(
         around, slides = formulation.links(links, poses), formulation.slides(loop.slides)
         angles = [_hidden(values[formulation.joints[0]], formulation.sign, slides) for values in q]
         if of_four_turns:
-            result.append(_score(_polynomials(around, slides), angles, None))
+            samples = polynomials(formulation, around, loop.slides)
+            result.append(_score(samples, angles, None))
         else:
-            samples = _determinants(formulation, around, slides)
+            samples = _determinants(formulation, around, loop.slides)
             result.append(_score(samples, angles, _determined(around, slides)))
     return result
 
@@ -216,22 +218,14 @@ def _pose(loop: Loop, links: Sequence[Matrix], q: Sequence[Value]) -> Matrix:
 
 
 def _determinants(
-    formulation: Formulation, links: Sequence[FloatArray], slides: Sequence[bool]
+    formulation: Formulation, links: Sequence[FloatArray], slides: tuple[int, ...]
 ) -> FloatArray:
-    """The determinant of the witnesses at the sample angles, (N, 24); links are (N, 4, 4) each."""
-    count = len(links[0])
-    lanes = np.repeat(equations(links, slides), SAMPLES, axis=-1)
-    cosines, sines = (np.tile(x, count) for x in (COSINES, SINES))
-    polynomial = formulation.polynomial(lanes, np.array(cosines), np.array(sines))
-    return polynomial.reshape(count, SAMPLES)
+    """The determinants (N, 24), without their zero where a hidden length is infinite."""
+    from dhgen.general.trial import determinants  # noqa: PLC0415  takes time
 
-
-def _polynomials(links: Sequence[FloatArray], slides: Sequence[bool]) -> FloatArray:
-    """The polynomials of an arm with four turns."""
-    count = len(links[0])
-    lanes = [np.repeat(np.moveaxis(link, 0, -1), SAMPLES, axis=-1) for link in links]
-    cosines, sines = (np.tile(x, count) for x in (COSINES, SINES))
-    return branches(lanes, slides, (cosines, sines)).polynomial.reshape(count, SAMPLES)
+    found = determinants(formulation, links, slides)
+    near = nearness(np.array(COSINES), np.array(SINES))
+    return np.asarray(found / near**formulation.order) if formulation.order else found
 
 
 def _score(

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dhgen.general.determinant import left_side
 from dhgen.general.formulation import Formulation, formulations
 from dhgen.general.links import Held
+from dhgen.general.trial import left_side
 from dhgen.targets.general.constant_left_side import LEFT, constant_left
 from tests.general.arms import kernel, poses
 
@@ -30,8 +30,7 @@ def test_they_are_those_at_every_pose(formulation: Formulation) -> None:
     around = [np.array(link.first)[None] for link in arm.loop.links]
     for _, P in poses(NAME, 3):
         every = formulation.links(around, P[None])
-        K = [np.moveaxis(every[place], 0, -1) for place in LEFT]
-        np.testing.assert_array_equal(table, left_side(K, (False,) * 6)[:, :, 0])
+        np.testing.assert_array_equal(table, left_side(formulation, every, ()))
 
 
 def test_not_where_a_joint_is_held_there() -> None:

@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.general.determinant import left_side
 from dhgen.targets.general.numbers import rows
 
 if TYPE_CHECKING:
@@ -22,12 +21,12 @@ def constant_left(kernel: GeneralKernel, formulation: Formulation) -> tuple[str,
     They do with the pose, and with joints whose values the caller gives. Where a polynomial in
     closed form is tried before a formulation they are not worth their room.
     """
+    from dhgen.general.trial import left_side  # noqa: PLC0415  takes time
+
     around = kernel.loop.links
     links = [formulation.behind(formulation.joints[place])[0] for place in LEFT]
     if kernel.closed or any(link is None or around[link].rest for link in links):
         return ()
     constants = [np.array(link.first)[None] for link in around]
     every = formulation.links(constants, np.eye(4)[None])
-    K = [np.moveaxis(every[place], 0, -1) for place in LEFT]
-    monomials = left_side(K, formulation.slides(kernel.loop.slides))
-    return rows(monomials[:, :, 0].tolist())
+    return rows(left_side(formulation, every, kernel.loop.slides).tolist())
