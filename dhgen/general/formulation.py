@@ -4,10 +4,13 @@ From the loop J(φ1) L0 J(φ2) L1 J(φ3) L2 J(φ4) L3 J(φ5) L4 J(φ6) L5 = 1 fo
 
     G(L5) G(φ1) G(L0) G(φ2) G(L1) G(φ3) G(L2) x = G(−φ6) G(L4⁻¹) G(−φ5) G(L3⁻¹) x
 
-for x the monomials of the origin and z, because φ4 leaves them alone. The right side has eight
-monomials besides 1. What annihilates these gives six equations: bilinear in (1, c1, s1) and the
-nine monomials of φ2 and φ3 (Raghavan and Roth 1993, who hide the third joint of the left side and
-have to divide a factor out; with the outer one the determinant has degree 8 to begin with).
+for x the monomials of the origin and z, because φ4 leaves them alone. With p and l the origin and
+the z axis of a frame these are 1, l, p, p·p, p·l, p×l and (p·p) l − 2 (p·l) p: a rigid motion takes
+them to linear combinations of each other, and G(A B) = G(A) G(B) (M. Raghavan and B. Roth, ASME J.
+Mech. Des. 115, 1993, equations (9) to (14)). The right side has eight monomials besides 1. What
+annihilates these gives six equations: bilinear in (1, c1, s1) and the nine monomials of φ2 and φ3
+(Raghavan and Roth hide the third joint of the left side and have to divide a factor out; with the
+outer one the determinant has degree 8 to begin with).
 
 A joint may slide: its monomials are linear in (1, d, d²) as those of a turn are in (1 + x²,
 1 − x², 2 x) with x = tan(φ/2), and d takes the place of x. It can't be φ4. It is φ2 or φ3 as a

@@ -1,6 +1,11 @@
 """Arms with four turns and two slides: any turn may be hidden, and its polynomial is of degree 4.
 
-The runtime has the polynomial in closed form (see its `four_turns`).
+Slides leave directions alone, so the turns are a spherical linkage of four bars (the runtime's
+`four_turns` has the formulas). Its entry zz, M_zz where φ1 is known, is a quadratic in the middle
+turn; with Δ the discriminant of that, the determinant of the slides' directions and the translation
+is U + V √Δ. The polynomial w (U² − V² Δ) is of degree 4, w = 1 − M_zz²: w times the determinant has
+the degree 3 in U and 2 in V, its norm 6, and divides by w once, as at w = 0 one of the two branches
+remains finite.
 """
 
 from __future__ import annotations
