@@ -5,6 +5,7 @@
 #define DHGEN_REFINE_H
 
 #include "arm.h"
+#include "least_squares.h"
 #include "limits.h"
 #include "tolerances.h"
 
@@ -118,34 +119,20 @@ DHGEN_FN void dhgen_count_what_counts(
     }
 }
 
-/* Adds the damped least-squares step for the miss e, which it uses up, to joint values of which
- * some are held. The rows of the Jacobian, each with its share of the damping's root behind it, are
- * made orthogonal one after another (modified Gram-Schmidt), twice where they are singular. */
+/* Adds the damped least-squares step for the miss e to joint values of which some are held. */
 DHGEN_FN void dhgen_add_step(
-    const struct dhgen_arm *arm, const int *held, double damping, double *e, double *x)
+    const struct dhgen_arm *arm, const int *held, double damping, const double *e, double *x)
 {
-    const int dof = dhgen_dof(arm), width = 6 + dof;
-    double A[6][6 + DHGEN_JOINTS] = { { 0.0 } }, square[6] = { 0.0 }, J[6 * DHGEN_JOINTS];
+    const int dof = dhgen_dof(arm);
+    double J[6 * DHGEN_JOINTS], step[DHGEN_JOINTS];
     DHGEN_RATES(arm, x, J);
     dhgen_count_what_counts(arm, x, dof, J);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6; i++)
         for (int j = 0; j < dof; j++)
-            A[i][j] = held[j] ? 0.0 : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
-        A[i][dof + i] = sqrt(damping + DHGEN_FINE);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            double along = 0.0;
-            for (int j = 0; j < width; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < width; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < width; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < dof; j++)
-            x[j] += e[i] / square[i] * A[i][j] * arm->joints[j].pace;
-    }
+            J[dof * i + j] *= held[j] ? 0.0 : arm->joints[j].pace * arm->miss_weights[i];
+    dhgen_least_squares(6, dof, J, dof, damping + DHGEN_FINE, e, step);
+    for (int j = 0; j < dof; j++)
+        x[j] += step[j] * arm->joints[j].pace;
 }
 
 /* Where the joint that is farthest past an end of its range is, or -1; `past` is how far. */

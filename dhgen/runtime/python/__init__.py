@@ -7,13 +7,13 @@ imported. Everything is plain Python and right without numba; with numba it is c
 In reading order: `jit` (numba or plain Python); `places` and `arm` (the numbers of an arm),
 `status` and `tolerances`; `angles`, `arrays`, `rigid`, `frames`, `turns`, `limits` and `pose` (what
 all else is made of); `careful` (any pose, singular ones too), with the steps around the formulas:
-`retry`, `duplicates`, `follow_seed`, `clamp`, `refine`, `complete`; `circle_roots`; `nearest`;
-`coupled`, with `coupled_turns`; `left_to_the_seed`; `velocities`; `one_pose` and `tiles` (regular
-poses), `at_once` (arms without branches), `functions` (made from their texts); `arguments`,
-`entry`, `calls` and `calls_given` (public functions), `words`. `general` and `numerical` are for
-arms without a closed form. Tables that come at run time: `calibration`, `calibrate`, `serial`,
-`calibrated`, `calibrated_arm`, `calls_calibrated`, `refused_numbers`. Platforms on legs:
-`platform`, `direct`, `assemblies`, `parallel`.
+`retry`, `duplicates`, `follow_seed`, `clamp`, `refine` with `least_squares`, `complete`;
+`circle_roots`; `nearest`; `coupled`, with `coupled_turns`; `left_to_the_seed`; `velocities`;
+`one_pose` and `tiles` (regular poses), `at_once` (arms without branches), `functions` (made from
+their texts); `arguments`, `entry`, `calls` and `calls_given` (public functions), `words`. `general`
+and `numerical` are for arms without a closed form. Tables that come at run time: `calibration`,
+`calibrate`, `serial`, `calibrated`, `calibrated_arm`, `calls_calibrated`, `refused_numbers`.
+Platforms on legs: `platform`, `direct`, `assemblies`, `parallel`.
 """
 
 from __future__ import annotations

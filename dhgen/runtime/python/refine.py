@@ -10,6 +10,7 @@ import numpy as np
 
 from .arm import POSE, ROBOT
 from .jit import of_file
+from .least_squares import least_squares
 from .limits import past_an_end, past_ends
 from .places import (
     DIRECTIONS,
@@ -156,32 +157,18 @@ def count_what_counts(directions: float, P: Floats, J: Floats) -> None:
 
 @OWN.apart(f"void(float64[::1], {ROBOT}, boolean[::1], float64, float64[::1], float64[::1])")
 def add_step(arm: Floats, robot: Robot, held: Bools, damping: float, e: Floats, q: Floats) -> None:
-    """Adds the damped least-squares step for the miss e to joint values, some of which are held.
-
-    The rows of the Jacobian, each with its share of the damping's root behind it, are made
-    orthogonal one after another (modified Gram-Schmidt), twice: once would not do beside singular
-    places. e is used up.
-    """
+    """Adds the damped least-squares step for the miss e to joint values, some of which are held."""
     dof = len(q)
-    J, rows, square = rates(arm, robot, q), np.zeros((6, 6 + dof)), np.zeros(6)
+    J, step = rates(arm, robot, q), np.empty(dof)
     if arm[DIRECTIONS] in (POINTING, PITCH):
         count_what_counts(arm[DIRECTIONS], forward(arm, robot, q), J)
-    for i in range(6):
-        for j in range(dof):
-            if not held[j]:
-                rows[i, j] = arm[PACE + RECORD * j] * arm[MISS_WEIGHTS + i] * J[i, j]
-        rows[i, dof + i] = math.sqrt(damping + FINE)
-        for n in range(2 * i):
-            k, along = n % i, 0.0
-            for j in range(6 + dof):
-                along += rows[k, j] * rows[i, j] / square[k]
-            for j in range(6 + dof):
-                rows[i, j] -= along * rows[k, j]
-            e[i] -= along * e[k]
-        for j in range(6 + dof):
-            square[i] += rows[i, j] * rows[i, j]
-        for j in range(dof):
-            q[j] += e[i] / square[i] * rows[i, j] * arm[PACE + RECORD * j]
+    for j in range(dof):
+        pace = 0.0 if held[j] else arm[PACE + RECORD * j]
+        for i in range(6):
+            J[i, j] *= pace * arm[MISS_WEIGHTS + i]
+    least_squares(J, damping + FINE, e, step)
+    for j in range(dof):
+        q[j] += step[j] * arm[PACE + RECORD * j]
 
 
 @OWN.inner

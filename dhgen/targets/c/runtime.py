@@ -19,6 +19,7 @@ _CHOICE = re.compile(
 _VERSION = re.compile(
     r"#define DHGEN_EXPECTS .*\n|#if defined\(DHGEN_EXPECTS\) .*\n#error .*\n#endif\n"
 )
+_LANES = "#if DHGEN_LANES > 1\n"
 # Also in a program whose other robots share the runtime.
 _ALONE = "#undef DHGEN_SHARED /* the whole runtime is in this file */\n"
 _LICENCE = "/* SPDX-License-Identifier: MIT\n *\n * "
@@ -31,7 +32,12 @@ def in_one_header(header: str) -> str:
 
 
 def in_one_file(source: str, *, vectors: bool) -> str:
-    """A source with what it includes of the runtime pasted into it, also of vectors or not."""
+    """A source with what it includes of the runtime pasted into it.
+
+    Args:
+        source: The text.
+        vectors: Whether its lanes may be vectors; otherwise what is for these alone is left out.
+    """
     first = source.find('#include "dhgen/')
     if first >= 0:
         source = source[:first] + _ALONE + source[first:]
@@ -42,7 +48,26 @@ def in_one_file(source: str, *, vectors: bool) -> str:
     def chosen(found: re.Match[str]) -> str:
         return str(found[2 if f"#define {found[1]} " in source else 3] or "")
 
-    return _CHOICE.sub(chosen, _VERSION.sub("", pasted))
+    chosen_text = _CHOICE.sub(chosen, _VERSION.sub("", pasted))
+    return chosen_text if vectors else _of_single_numbers(chosen_text)
+
+
+def _of_single_numbers(text: str) -> str:
+    """The text where a lane is a number: without what there is for several lanes."""
+    kept = []
+    choices: list[bool | None] = []  # of each condition around a line: none, or whether it is true
+    for line in text.splitlines(keepends=True):
+        word = line.split()[0] if line.startswith("#") else ""
+        if line == _LANES:
+            choices.append(False)
+        elif word == "#else" and choices[-1] is not None:
+            choices[-1] = True
+        elif word != "#endif" or choices.pop() is None:
+            if word in {"#if", "#ifdef", "#ifndef"}:
+                choices.append(None)
+            if False not in choices:
+                kept.append(line)
+    return "".join(kept)
 
 
 def _pasted(source: str, folder: str, known: set[str]) -> str:

@@ -14,6 +14,7 @@ import numpy as np
 
 from ..arm import miss_at
 from ..jit import of_file
+from ..least_squares import least_squares
 from ..places import PITCH, POINTING, ROTATION, TILT, YAW
 from ..rigid import take
 from ..tolerances import EXACT, FINE
@@ -211,46 +212,10 @@ def shorten(step: Floats) -> None:
         step[j] *= LONGEST / longest
 
 
-@apart("void(float64[:, ::1], float64[::1], float64, float64, float64[::1])")
+@inner
 def damped_step(A: Floats, e: Floats, length: float, floor: float, step: Floats) -> None:
-    """Computes the damped least squares step A' (A A' + damping)^-1 e, with a least damping.
-
-    The rows of A, each with its share of the damping's root behind it, are made orthonormal one
-    after another (modified Gram-Schmidt; used as by A. Bjorck, Numerics of Gram-Schmidt
-    orthogonalization, 1994): the product A A' would lose half of the digits.
-    """
-    equations, solved = A.shape
-    width = equations + solved
-    damping = DAMPING * min(length * length, 1.0) + floor
-    rows, y = np.zeros((equations, width)), np.empty(equations)
-    total = np.zeros(width)
-    for i in range(equations):
-        for j in range(solved):
-            rows[i, j] = A[i, j]
-        rows[i, solved + i] = math.sqrt(damping)
-        y[i] = e[i]
-        for k in range(i):
-            along = 0.0
-            for j in range(width):
-                along += rows[k, j] * rows[i, j]
-            for j in range(width):
-                rows[i, j] -= along * rows[k, j]
-            y[i] -= along * y[k]
-        square = 0.0
-        for j in range(width):
-            square += rows[i, j] * rows[i, j]
-        inverse = 1.0 / math.sqrt(square)
-        y[i] *= inverse
-        for j in range(width):
-            rows[i, j] *= inverse
-    for i in range(equations - 1, -1, -1):
-        missing = y[i]
-        for j in range(width):
-            missing -= rows[i, j] * total[j]
-        for j in range(width):
-            total[j] += missing * rows[i, j]
-    for j in range(solved):
-        step[j] = total[j]
+    """Computes the damped least squares step for the miss e, with a least damping."""
+    least_squares(A, DAMPING * min(length * length, 1.0) + floor, e, step)
 
 
 @apart(f"float64(float64[::1], {GOAL}, float64[::1], float64[::1])")
