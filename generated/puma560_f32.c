@@ -339,6 +339,73 @@ DHGEN_INLINE void dhgen_ik_each(const struct dhgen_arm *arm, size_t k, size_t n,
 
 /* Damped least-squares steps that take joint values to a solution next to them. */
 
+/* Damped least squares: of a few equations that may have no solution, or many. */
+
+
+/* Equations, at most. */
+#define DHGEN_MOST_EQUATIONS 7
+/* Sums of products are four, which compilers work out at once; rows are as long as whole fours, and
+ * zero from where they end. */
+#define DHGEN_AT_ONCE 4
+#define DHGEN_LONGEST_ROW \
+    ((DHGEN_MOST_EQUATIONS + DHGEN_JOINTS + DHGEN_AT_ONCE - 1) / DHGEN_AT_ONCE * DHGEN_AT_ONCE)
+
+/* The inner product of two rows. */
+DHGEN_INLINE float dhgen_product_of_rows(int width, const float *a, const float *b)
+{
+    float sum[DHGEN_AT_ONCE] = { 0.0f };
+    for (int j = 0; j < width; j += DHGEN_AT_ONCE)
+        for (int k = 0; k < DHGEN_AT_ONCE; k++)
+            sum[k] += a[j + k] * b[j + k];
+    return (sum[0] + sum[1]) + (sum[2] + sum[3]);
+}
+
+/* Adds a multiple of a row to another one. */
+DHGEN_INLINE void dhgen_add_to_row(int width, float factor, const float *a, float *to)
+{
+    for (int j = 0; j < width; j += DHGEN_AT_ONCE)
+        for (int k = 0; k < DHGEN_AT_ONCE; k++)
+            to[j + k] += factor * a[j + k];
+}
+
+/* x = A' (A A' + damping)^-1 y, the rows of A `stride` numbers apart. These, each with its share of
+ * the damping's root behind it, are made orthonormal one after another (modified Gram-Schmidt; used
+ * as by A. Bjorck, Numerics of Gram-Schmidt orthogonalization, 1994): A A' would lose half of the
+ * digits. */
+DHGEN_FN void dhgen_least_squares(int equations, int unknowns, const float *A, int stride,
+    float damping, const float *y, float *x)
+{
+    const int width = unknowns + equations;
+    float rows[DHGEN_MOST_EQUATIONS][DHGEN_LONGEST_ROW] = { { 0.0f } };
+    float right[DHGEN_MOST_EQUATIONS], sum[DHGEN_LONGEST_ROW] = { 0.0f };
+    for (int i = 0; i < equations; i++) {
+        for (int j = 0; j < unknowns; j++)
+            rows[i][j] = A[stride * i + j];
+        rows[i][unknowns + i] = sqrtf(damping);
+        right[i] = y[i];
+    }
+    for (int k = 0; k < equations; k++) {
+        const int end = unknowns + k + 1; /* of this row: its share of the damping is the last */
+        float along[DHGEN_MOST_EQUATIONS];
+        for (int i = k; i < equations; i++)
+            along[i] = dhgen_product_of_rows(end, rows[k], rows[i]);
+        const float inverse = 1.0f / sqrtf(along[k]), per_square = inverse * inverse;
+        for (int i = k + 1; i < equations; i++) {
+            const float factor = -along[i] * per_square;
+            dhgen_add_to_row(end, factor, rows[k], rows[i]);
+            right[i] += factor * right[k];
+        }
+        right[k] *= inverse;
+        for (int j = 0; j < end; j++)
+            rows[k][j] *= inverse;
+    }
+    for (int i = equations - 1; i >= 0; i--) {
+        const float missing = right[i] - dhgen_product_of_rows(width, rows[i], sum);
+        dhgen_add_to_row(width, missing, rows[i], sum);
+    }
+    for (int j = 0; j < unknowns; j++)
+        x[j] = sum[j];
+}
 /* Joint values and their limits. */
 
 /* What the runtime takes for rounding. dhgen/tolerances.py has the same numbers, which the
@@ -573,34 +640,20 @@ DHGEN_FN void dhgen_count_what_counts(
     }
 }
 
-/* Adds the damped least-squares step for the miss e, which it uses up, to joint values of which
- * some are held. The rows of the Jacobian, each with its share of the damping's root behind it, are
- * made orthogonal one after another (modified Gram-Schmidt), twice where they are singular. */
+/* Adds the damped least-squares step for the miss e to joint values of which some are held. */
 DHGEN_FN void dhgen_add_step(
-    const struct dhgen_arm *arm, const int *held, float damping, float *e, float *x)
+    const struct dhgen_arm *arm, const int *held, float damping, const float *e, float *x)
 {
-    const int dof = dhgen_dof(arm), width = 6 + dof;
-    float A[6][6 + DHGEN_JOINTS] = { { 0.0f } }, square[6] = { 0.0f }, J[6 * DHGEN_JOINTS];
+    const int dof = dhgen_dof(arm);
+    float J[6 * DHGEN_JOINTS], step[DHGEN_JOINTS];
     DHGEN_RATES(arm, x, J);
     dhgen_count_what_counts(arm, x, dof, J);
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 6; i++)
         for (int j = 0; j < dof; j++)
-            A[i][j] = held[j] ? 0.0f : arm->joints[j].pace * arm->miss_weights[i] * J[dof * i + j];
-        A[i][dof + i] = sqrtf(damping + DHGEN_FINE);
-        for (int n = 0; n < 2 * i; n++) {
-            const int k = n % i;
-            float along = 0.0f;
-            for (int j = 0; j < width; j++)
-                along += A[k][j] * A[i][j] / square[k];
-            for (int j = 0; j < width; j++)
-                A[i][j] -= along * A[k][j];
-            e[i] -= along * e[k];
-        }
-        for (int j = 0; j < width; j++)
-            square[i] += A[i][j] * A[i][j];
-        for (int j = 0; j < dof; j++)
-            x[j] += e[i] / square[i] * A[i][j] * arm->joints[j].pace;
-    }
+            J[dof * i + j] *= held[j] ? 0.0f : arm->joints[j].pace * arm->miss_weights[i];
+    dhgen_least_squares(6, dof, J, dof, damping + DHGEN_FINE, e, step);
+    for (int j = 0; j < dof; j++)
+        x[j] += step[j] * arm->joints[j].pace;
 }
 
 /* Where the joint that is farthest past an end of its range is, or -1; `past` is how far. */
@@ -1801,80 +1854,6 @@ DHGEN_INLINE dhgen_wide dhgen_tilt_misfit_wide(const dhgen_wide *T)
 typedef dhgen_wide_mask dhgen_solve_wide(
     const dhgen_wide *T, const dhgen_wide *free_joints, dhgen_wide *q, dhgen_wide_mask *kind);
 
-#if DHGEN_LANES > 1
-
-/* Writes the statuses of a tile: those of a pose, in words of up to eight. */
-DHGEN_INLINE void dhgen_store_kinds(dhgen_wide_mask *kind, unsigned char *status)
-{
-    for (int first = 0; first < DHGEN_ROWS; first += 8) {
-        const int size = DHGEN_ROWS - first < 8 ? DHGEN_ROWS - first : 8;
-        for (int i = 1; i < size; i++)
-            kind[first] |= kind[first + i] << 8 * i;
-        for (int k = 0; k < DHGEN_LANES; k++) {
-            const long long word = kind[first][k];
-            __builtin_memcpy(status + DHGEN_ROWS * k + first, &word, (size_t)size);
-        }
-    }
-}
-
-/* Solves DHGEN_LANES poses of a batch. Returns a bit for each that needs care. */
-DHGEN_ALWAYS
-DHGEN_INLINE unsigned dhgen_solve_tile(dhgen_solve_wide *solve_wide, int given, const float *T,
-    const float *free_joints, float *q, unsigned char *status)
-{
-    enum { SIZE = DHGEN_ROWS * DHGEN_DOF };
-    dhgen_wide pose[16], found[SIZE], x[DHGEN_LANES], held[DHGEN_DOF];
-    dhgen_wide_mask kind[DHGEN_ROWS];
-    for (int i = 0; i < given; i++)
-        for (int k = 0; k < DHGEN_LANES; k++)
-            held[i][k] = free_joints[given * k + i];
-    for (int i = 0; i < 16; i += DHGEN_LANES) {
-        for (int k = 0; k < DHGEN_LANES; k++)
-            x[k] = *(const dhgen_wide_at *)(T + 16 * k + i);
-        dhgen_transpose(x);
-        for (int k = 0; k < DHGEN_LANES; k++)
-            pose[i + k] = x[k];
-    }
-    const dhgen_wide_mask left = solve_wide(pose, given ? held : NULL, found, kind);
-#if DHGEN_ROWS * DHGEN_DOF >= DHGEN_LANES
-    for (int i = 0; i < SIZE; i += DHGEN_LANES) {
-        const int from = i + DHGEN_LANES <= SIZE ? i : SIZE - DHGEN_LANES;
-        for (int k = 0; k < DHGEN_LANES; k++)
-            x[k] = found[from + k];
-        dhgen_transpose(x);
-        for (int k = 0; k < DHGEN_LANES; k++)
-            *(dhgen_wide_at *)(q + SIZE * k + from) = x[k];
-    }
-#else
-    for (int i = 0; i < SIZE; i++)
-        for (int k = 0; k < DHGEN_LANES; k++)
-            q[SIZE * k + i] = found[i][k];
-#endif
-    dhgen_store_kinds(kind, status);
-    return dhgen_bits_wide(left);
-}
-
-/* All solutions of the poses of a batch. */
-DHGEN_ALWAYS
-DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *solve_wide,
-    int given, size_t n, const float *T, const float *free_joints, float *q,
-    unsigned char *status)
-{
-    enum { SIZE = DHGEN_ROWS * DHGEN_DOF };
-    const size_t count = (size_t)given;
-    size_t k = 0;
-    for (; k + DHGEN_LANES <= n; k += DHGEN_LANES) {
-        const float *const held = given ? free_joints + count * k : NULL;
-        unsigned left = dhgen_solve_tile(
-            solve_wide, given, T + 16 * k, held, q + SIZE * k, status + DHGEN_ROWS * k);
-        for (size_t i = k; left; i++, left >>= 1)
-            if (left & 1u)
-                dhgen_ik_each(arm, i, i + 1, T, free_joints, q, status);
-    }
-    dhgen_ik_each(arm, k, n, T, free_joints, q, status);
-}
-
-#else
 
 /* One regular pose of an arm with at most DHGEN_ROWS rows. Returns how many rows are OK, or -1 if
  * it needs care. */
@@ -1903,7 +1882,6 @@ DHGEN_INLINE void dhgen_ik_batch(const struct dhgen_arm *arm, dhgen_solve_wide *
     dhgen_ik_each(arm, 0, n, T, free_joints, q, status);
 }
 
-#endif
 #endif
 
 /* In formulas below, reach_slack1 = 6.82312e-06 [m], merge_slack1 = 1.70578e-07 [m],

@@ -10,8 +10,7 @@
 #endif
 #define DHGEN_FORWARD(arm, q, T) dhgen_forward(arm, q, T)
 #define DHGEN_RATES(arm, q, J) dhgen_rates(arm, q, J)
-#define DHGEN_FORWARD_OF_DESCENTS(arm, q, T) dhgen_forward_of_descents(arm, q, T)
-#define DHGEN_RATES_OF_DESCENTS(arm, q, J) dhgen_rates_of_descents(arm, q, J)
+#define DHGEN_MOTION_OF_DESCENTS(arm, q, T, J) dhgen_motion_of_descents(arm, q, T, J)
 
 #include "arm.h"
 #include "calibration.h"
@@ -40,10 +39,11 @@ DHGEN_FN void dhgen_serial_pose(const dhgen_calibration *of, const double *q, do
     dhgen_pose_of_links(of->constant, angle, 6, T);
 }
 
-/* Its geometric Jacobian, 6 x 6 row by row. */
-DHGEN_FN void dhgen_serial_jacobian(const dhgen_calibration *of, const double *q, double *J)
+/* Its pose, the upper three rows, and its geometric Jacobian, 6 x 6 row by row. */
+DHGEN_FN void dhgen_serial_motion(
+    const dhgen_calibration *of, const double *q, double *T, double *J)
 {
-    double axis[6][3], point[6][3], T[12];
+    double axis[6][3], point[6][3];
     dhgen_copy_link(of->constant[0], T);
     for (int i = 0; i < 6; i++) {
         for (int k = 0; k < 3; k++) {
@@ -61,6 +61,13 @@ DHGEN_FN void dhgen_serial_jacobian(const dhgen_calibration *of, const double *q
             J[18 + 6 * k + i] = axis[i][k];
         }
     }
+}
+
+/* Its Jacobian alone. */
+DHGEN_FN void dhgen_serial_jacobian(const dhgen_calibration *of, const double *q, double *J)
+{
+    double T[12];
+    dhgen_serial_motion(of, q, T, J);
 }
 
 /* The pose of joint values. */
@@ -83,26 +90,17 @@ DHGEN_INLINE void dhgen_rates(const struct dhgen_arm *arm, const double *q, doub
             ((const struct dhgen_calibrated_arm *)(const void *)arm)->calibration, q, J);
 }
 
-/* The pose of joint values, for descents. */
-DHGEN_INLINE void dhgen_forward_of_descents(
-    const struct dhgen_numerical_arm *arm, const double *q, double *T)
+/* Pose and Jacobian of joint values, for descents. */
+DHGEN_INLINE void dhgen_motion_of_descents(
+    const struct dhgen_numerical_arm *arm, const double *q, double *T, double *J)
 {
-    if (arm->fk)
+    if (arm->fk) {
         arm->fk(q, T);
-    else
-        dhgen_serial_pose(
-            ((const struct dhgen_calibrated_descents *)(const void *)arm)->calibration, q, T);
-}
-
-/* The Jacobian at joint values, for descents. */
-DHGEN_INLINE void dhgen_rates_of_descents(
-    const struct dhgen_numerical_arm *arm, const double *q, double *J)
-{
-    if (arm->jacobian)
         arm->jacobian(q, J);
-    else
-        dhgen_serial_jacobian(
-            ((const struct dhgen_calibrated_descents *)(const void *)arm)->calibration, q, J);
+    } else {
+        dhgen_serial_motion(
+            ((const struct dhgen_calibrated_descents *)(const void *)arm)->calibration, q, T, J);
+    }
 }
 
 #endif

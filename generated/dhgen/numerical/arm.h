@@ -114,9 +114,8 @@ DHGEN_FN int dhgen_order_blocks(
 }
 
 /* As in ../arm.h. */
-#ifndef DHGEN_FORWARD_OF_DESCENTS
-#define DHGEN_FORWARD_OF_DESCENTS(arm, q, T) (arm)->fk(q, T)
-#define DHGEN_RATES_OF_DESCENTS(arm, q, J) (arm)->jacobian(q, J)
+#ifndef DHGEN_MOTION_OF_DESCENTS
+#define DHGEN_MOTION_OF_DESCENTS(arm, q, T, J) ((arm)->fk(q, T), (arm)->jacobian(q, J))
 #endif
 
 #endif

@@ -162,8 +162,7 @@ DHGEN_FN void dhgen_measure_miss(struct dhgen_descent *d, const double *u)
     double P[16], J[6 * DHGEN_JOINTS], square = 0.0;
     for (int j = 0; j < arm->solved; j++)
         d->q[arm->joint[j]] = arm->unit[j] * u[j];
-    DHGEN_FORWARD_OF_DESCENTS(arm, d->q, P);
-    DHGEN_RATES_OF_DESCENTS(arm, d->q, J);
+    DHGEN_MOTION_OF_DESCENTS(arm, d->q, P, J);
     for (int i = 0; i < arm->coordinates; i++) {
         const int row = arm->coordinate[i];
         d->e[i] = (d->T[4 * row + 3] - P[4 * row + 3]) / arm->size;
