@@ -389,7 +389,7 @@ DHGEN_FN void dhgen_least_squares(int equations, int unknowns, const float *A, i
         float along[DHGEN_MOST_EQUATIONS];
         for (int i = k; i < equations; i++)
             along[i] = dhgen_product_of_rows(end, rows[k], rows[i]);
-        const float inverse = 1.0f / sqrtf(along[k]), per_square = inverse * inverse;
+        const float per_square = 1.0f / along[k], inverse = sqrtf(per_square);
         for (int i = k + 1; i < equations; i++) {
             const float factor = -along[i] * per_square;
             dhgen_add_to_row(end, factor, rows[k], rows[i]);

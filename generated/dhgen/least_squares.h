@@ -53,7 +53,7 @@ DHGEN_FN void dhgen_least_squares(int equations, int unknowns, const double *A, 
         double along[DHGEN_MOST_EQUATIONS];
         for (int i = k; i < equations; i++)
             along[i] = dhgen_product_of_rows(end, rows[k], rows[i]);
-        const double inverse = 1.0 / sqrt(along[k]), per_square = inverse * inverse;
+        const double per_square = 1.0 / along[k], inverse = sqrt(per_square);
         for (int i = k + 1; i < equations; i++) {
             const double factor = -along[i] * per_square;
             dhgen_add_to_row(end, factor, rows[k], rows[i]);
