@@ -7,7 +7,9 @@ the worst residual of all rows of random poses, by its forward model on the GPU;
 values beside those of its C on the CPU, for poses among which some are singular and some rounded;
 then, for each mode and type of numbers, the median of nine runs after two, data being on the GPU,
 as poses a second and as a share of what copying moves in the same process; and what the first call
-of a robot takes with nothing kept, and a call for one pose.
+of a robot takes with nothing kept, and a call for one pose. An arm of the general algorithm goes
+through all of this with each size of the groups of threads that solve a pose together, and with one
+thread a pose: `dhgen_cuda.GROUP` is to be the fastest of these.
 """
 
 from __future__ import annotations
@@ -39,6 +41,7 @@ NUMBERS = {"float64": "<f8", "float32": "<f4"}
 SIZES = (10**4, 10**6, 10**7)
 COMPARED = 200_000  # poses that the CPU solves, too
 FEW = 10**6  # poses at most of an arm without regular ones: each takes a thousand times as long
+GROUPS = (1, 8, 16, 32)  # threads that solve a pose of the general algorithm
 COPIED = 2**30  # bytes
 WARM, ROUNDS = 2, 9
 CALLS = 1000
@@ -60,15 +63,15 @@ def main(arguments: list[str]) -> None:
         return
     bandwidth = gpu.bandwidth()
     print(f"{gpu.name()}: copying moves {bandwidth / 1e12:.2f} TB/s", flush=True)
-    robots = {name: cuda.cuda(importlib.import_module(name)) for name in chosen.arms}
+    robots = [each for name in chosen.arms for each in _robots(cuda, name)]
     _first_call(cuda, gpu, chosen.arms[0])
     begun = time.perf_counter()
     with ThreadPoolExecutor(os.cpu_count()) as pool:  # NVRTC lets go of Python's lock
-        for done in [pool.submit(_prepare, gpu, robot) for robot in robots.values()]:
+        for done in [pool.submit(_prepare, gpu, robot) for robot in robots]:
             done.result()
     print(f"all kernels compiled in {time.perf_counter() - begun:.1f} s", flush=True)
-    for name, robot in robots.items():
-        arm = Arm(gpu, importlib.import_module(name), robot)
+    for robot in robots:
+        arm = Arm(gpu, importlib.import_module(robot.program.name), robot)
         arm.check()
         for number, n in product(NUMBERS, SIZES):
             if n <= min(chosen.poses, arm.most):
@@ -159,6 +162,8 @@ class Arm:
     def __init__(self, gpu: GPU, module: Any, robot: Any) -> None:  # noqa: ANN401
         self._gpu, self._module, self._robot = gpu, module, robot
         self._rows, self._dof = len(module.BRANCHES), module.DOF
+        group = robot.program.group
+        self._name = f"{module.NAME}, {group} threads a pose" if group > 1 else module.NAME
         self.regular = robot.program.regular
         self.most = SIZES[-1] if self.regular else FEW
 
@@ -190,7 +195,7 @@ class Arm:
             found = tally.get()
             worst = float(found[8:].view("<f4")[0])
             told = ", ".join(f"{count} of status {k}" for k, count in enumerate(found[:8]) if count)
-            print(f"{self._module.NAME} {number}, {n} poses: {told}; worst residual {worst:.1e}")
+            print(f"{self._name} {number}, {n} poses: {told}; worst residual {worst:.1e}")
         n = min(COMPARED, n)
         T, _ = self._poses(n, rounded=True)
         q, status = (each.get() for each in self._robot.ik_batch(T, out=self._room(n, "<f8")))
@@ -230,10 +235,20 @@ class Arm:
             took = self._gpu.seconds(run, ROUNDS if self.regular else 3)
             share = moved * n / took / bandwidth
             print(
-                f"{self._module.NAME:14} {number} n {n:>8}  {mode:22} {took * 1e6:10.1f} µs "
+                f"{self._name:14} {number} n {n:>8}  {mode:22} {took * 1e6:10.1f} µs "
                 f"{n / took * 1e-6:9.1f} M/s  {share:6.1%} of copying",
                 flush=True,
             )
+
+
+def _robots(cuda: Any, name: str) -> list[Any]:  # noqa: ANN401
+    """A robot's solver; where threads solve a pose together, for each size of their group."""
+    module = importlib.import_module(name)
+    robot = cuda.cuda(module)
+    if robot.program.group == 1:
+        return [robot]
+    programs = [cuda.Program.of(module, robot.program.source, group) for group in GROUPS]
+    return [cuda.Solver(program, cuda.driver()) for program in programs]
 
 
 def _ranges(module: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # noqa: ANN401

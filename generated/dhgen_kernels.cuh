@@ -19,9 +19,14 @@
  *   dhgen_careful_rows<double, 16><<<blocks, 32, 0, stream>>>(batch);
  *
  * Arms without regular poses (DHGEN_SOLVE_WIDE is not defined) have no first kernel: there a batch
- * without a list goes through the second, one pose a thread. Nothing is allocated, nothing waits.
- * Numbers of arrays are double or float; it is doubles that are computed with. Rounded poses, as
- * those in single precision are, become the nearest rotation in the first kernel. */
+ * without a list goes through the second, one pose a thread. Those of the general algorithm take a
+ * group of threads for each pose, in blocks of DHGEN_GROUP_THREADS, where before their source
+ *
+ *   #define DHGEN_GROUP 16 // or 8, or 32
+ *
+ * stands: then all threads of a group call what they call alike. Nothing is allocated, nothing
+ * waits. Numbers of arrays are double or float; it is doubles that are computed with. Rounded
+ * poses, as those in single precision are, become the nearest rotation in the first kernel. */
 #ifndef DHGEN_KERNELS_CUH
 #define DHGEN_KERNELS_CUH
 
@@ -281,10 +286,48 @@ __global__ void __launch_bounds__(128, 3) dhgen_nearest_to_seeds(dhgen_batch<Num
 
 #endif
 
+#if defined(DHGEN_GROUP) && defined(DHGEN_GENERAL_LANES_H)
+#define DHGEN_GROUP_THREADS 32 /* of a block, whose groups have room in its shared memory */
+#define DHGEN_CAREFUL_BOUNDS __launch_bounds__(DHGEN_GROUP_THREADS)
+#ifdef DHGEN_LANES_ARE_THREADS
+static_assert(DHGEN_ROOM_EQUATIONS_END <= DHGEN_ROOM_SIZE, "equations in a room");
+static_assert(DHGEN_ROOM_CANDIDATES_END <= DHGEN_ROOM_SIZE, "candidates in a room");
+static_assert(
+    DHGEN_GROUP_THREADS / DHGEN_GROUP * DHGEN_ROOM_SIZE * 8 <= 48 << 10, "a block's rooms");
+#endif
+
+/* What the second kernels go through: the poses of the list, or all, one a group of threads, of
+ * which each writes a part of the results. */
+template <class Number> struct dhgen_listed {
+    const dhgen_batch<Number> &batch;
+    unsigned long long at, step, count;
+    int part, parts;
+
+    __device__ explicit dhgen_listed(const dhgen_batch<Number> &of)
+        : batch(of), at((blockIdx.x * (size_t)blockDim.x + threadIdx.x) / DHGEN_GROUP),
+          step((size_t)gridDim.x * blockDim.x / DHGEN_GROUP), count(of.left ? *of.left : of.n),
+          part((int)threadIdx.x % DHGEN_GROUP), parts(DHGEN_GROUP)
+    {
+    }
+    __device__ bool goes_on() const
+    {
+        return at < count;
+    }
+    __device__ size_t next()
+    {
+        const unsigned long long now = at;
+        at += step;
+        return batch.left ? batch.left[1 + now] : (size_t)now;
+    }
+};
+#else
+#define DHGEN_CAREFUL_BOUNDS
+
 /* What the second kernels go through: the poses of the list, one a warp, or all, one a thread. */
 template <class Number> struct dhgen_listed {
     const dhgen_batch<Number> &batch;
     unsigned long long at, step, count;
+    enum { part = 0, parts = 1 };
 
     __device__ explicit dhgen_listed(const dhgen_batch<Number> &of)
         : batch(of), at(blockIdx.x), step(gridDim.x), count(of.left ? *of.left : of.n)
@@ -308,6 +351,7 @@ template <class Number> struct dhgen_listed {
         return batch.left ? batch.left[1 + now] : (size_t)now;
     }
 };
+#endif
 
 /* Solves a pose of a batch by the robot's function for all poses. Returns its result. */
 template <class Number, int ENTRIES>
@@ -322,14 +366,15 @@ __device__ __noinline__ int dhgen_any_pose(
 }
 
 /* All rows of the poses that are left, or of all. */
-template <class Number, int ENTRIES> __global__ void dhgen_careful_rows(dhgen_batch<Number> batch)
+template <class Number, int ENTRIES>
+__global__ void DHGEN_CAREFUL_BOUNDS dhgen_careful_rows(dhgen_batch<Number> batch)
 {
     for (dhgen_listed<Number> poses(batch); poses.goes_on();) {
         double rows[DHGEN_ROWS][DHGEN_DOF];
         unsigned char status[DHGEN_ROWS];
         const size_t i = poses.next();
         (void)dhgen_any_pose<Number, ENTRIES>(batch, i, rows, status);
-        for (int row = 0; row < DHGEN_ROWS; row++) {
+        for (int row = poses.part; row < DHGEN_ROWS; row += poses.parts) {
             batch.status[DHGEN_ROWS * i + row] = status[row];
             for (int j = 0; j < DHGEN_DOF; j++)
                 batch.q[(DHGEN_ROWS * i + row) * DHGEN_DOF + j] = (Number)rows[row][j];
@@ -338,20 +383,22 @@ template <class Number, int ENTRIES> __global__ void dhgen_careful_rows(dhgen_ba
 }
 
 /* How many rows of the poses that are left, or of all, are inside limits. */
-template <class Number, int ENTRIES> __global__ void dhgen_careful_count(dhgen_batch<Number> batch)
+template <class Number, int ENTRIES>
+__global__ void DHGEN_CAREFUL_BOUNDS dhgen_careful_count(dhgen_batch<Number> batch)
 {
     for (dhgen_listed<Number> poses(batch); poses.goes_on();) {
         double rows[DHGEN_ROWS][DHGEN_DOF];
         unsigned char status[DHGEN_ROWS];
         const size_t i = poses.next();
         const int count = dhgen_any_pose<Number, ENTRIES>(batch, i, rows, status);
-        batch.status[i] = (unsigned char)(count < 0 ? 0 : count);
+        if (poses.part == 0)
+            batch.status[i] = (unsigned char)(count < 0 ? 0 : count);
     }
 }
 
 /* The solution nearest to a seed of the poses that are left, or of all. */
 template <class Number, int ENTRIES>
-__global__ void dhgen_careful_nearest(dhgen_batch<Number> batch)
+__global__ void DHGEN_CAREFUL_BOUNDS dhgen_careful_nearest(dhgen_batch<Number> batch)
 {
     for (dhgen_listed<Number> poses(batch); poses.goes_on();) {
         double pose[16], held[DHGEN_GIVEN + 1], seed[DHGEN_DOF], q[DHGEN_DOF];
@@ -361,8 +408,9 @@ __global__ void dhgen_careful_nearest(dhgen_batch<Number> batch)
         if (DHGEN_GIVEN > 0)
             dhgen_load_values<DHGEN_GIVEN>(batch.free_joints, i, held);
         const int result = DHGEN_CALL(_ik_nearest)(pose, DHGEN_HELD(held) seed, q);
-        batch.status[i] = (unsigned char)(result < 0 ? -result : result);
-        for (int j = 0; j < DHGEN_DOF; j++)
+        if (poses.part == 0)
+            batch.status[i] = (unsigned char)(result < 0 ? -result : result);
+        for (int j = poses.part; j < DHGEN_DOF; j += poses.parts)
             batch.q[DHGEN_DOF * i + j] = (Number)q[j];
     }
 }

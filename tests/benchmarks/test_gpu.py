@@ -53,12 +53,14 @@ def test_what_is_measured(
     for name, value in {"SIZES": (1000, 2000), "FEW": 1000, "COMPARED": 10, "CALLS": 3}.items():
         monkeypatch.setattr(gpu, name, value)
     cuda.driver.cache_clear()
-    gpu.main(["--arms", "scara", "cuspidal_3r", "--poses", "2000"])
+    gpu.main(["--arms", "scara", "cuspidal_3r", "xarm6", "--poses", "2000"])
     cuda.driver.cache_clear()
     printed = capsys.readouterr().out
     assert f"device 0: copying moves {COPIED / 1e3 * 1e3:.2f} TB/s" in printed
     lines = [line.split() for line in printed.splitlines() if " of copying" in line]
-    assert len(lines) == 2 * 2 * 4 + 2  # of the other one size and one mode
+    # Of the others one size and one mode, of the general one for each size of a group.
+    assert len(lines) == 2 * 2 * 4 + 2 * (1 + 4)
+    assert sum(line[:2] == ["xarm6,", "16"] for line in lines) == 2
     for line in lines:
         assert tuple(line[line.index("µs") - 1 :][:2]) == ("1000.0", "µs")
     # n times 192 bytes and two statuses in a millisecond, beside 2.147 GB in one

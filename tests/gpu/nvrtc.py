@@ -15,6 +15,8 @@ FIRST = ("all_rows", "count_rows", "nearest_to_seeds")
 CAREFUL = ("careful_rows", "careful_count", "careful_nearest")
 MOTION = ("poses", "jacobians")
 _STACK = re.compile(r"(\d+) bytes stack frame")
+_DEEPEST = re.compile(r"(\d+) bytes cumulative stack size")
+_SHARED = re.compile(r"(\d+) bytes smem")
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,10 +26,12 @@ class Used:
     Attributes:
         registers: Of a thread.
         stack: Bytes of a thread's own memory, for arrays or for want of registers.
+        shared: Bytes of a block's shared memory.
     """
 
     registers: int
     stack: int
+    shared: int
 
 
 def defined(name: str) -> list[str]:
@@ -71,13 +75,13 @@ def kernels_of(name: str, kernels: list[str], options: list[str], more: str = ""
     return compiled(text, [*defined(name), *options], kernels)
 
 
-def used(name: str, kernel: str, architecture: str) -> Used:
+def used(name: str, kernel: str, architecture: str, *options: str) -> Used:
     """What ptxas says of one kernel on an architecture."""
-    options = [f"-arch={architecture}", "--ptxas-options=-v"]
-    log = kernels_of(name, [kernel], options)
+    log = kernels_of(name, [kernel], [f"-arch={architecture}", "--ptxas-options=-v", *options])
     found = re.findall(r"Used (\d+) registers", log)
     assert len(found) == 1, log
-    return Used(int(found[0]), sum(map(int, _STACK.findall(log))))
+    stack = _DEEPEST.findall(log) or [sum(map(int, _STACK.findall(log)))]
+    return Used(int(found[0]), int(stack[0]), sum(map(int, _SHARED.findall(log))))
 
 
 def _library() -> ctypes.CDLL:

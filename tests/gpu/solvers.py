@@ -35,9 +35,12 @@ class Tensor:
 
 def robot(name: str = "scara") -> ModuleType:
     """What is asked of a robot's module."""
-    rows, dof, given = {"scara": (2, 4, ()), "franka_panda": (8, 7, (7,)), "xarm6": (16, 6, ())}[
-        name
-    ]
+    rows, dof, given = {
+        "scara": (2, 4, ()),
+        "franka_panda": (8, 7, (7,)),
+        "cuspidal_3r": (4, 3, ()),
+        "xarm6": (16, 6, ()),
+    }[name]
     found = ModuleType(name)
     found.__file__ = str(GENERATED / f"{name}.py")
     vars(found).update(NAME=name, DOF=dof, BRANCHES=("",) * rows, ik_all=None)

@@ -5,8 +5,9 @@ from __future__ import annotations
 import ctypes
 import math
 import sys
+from pathlib import Path
 from types import ModuleType, SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import pytest
@@ -22,9 +23,6 @@ from tests.gpu.solvers import (
     poses,
     robot,
 )
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 
 def test_all_rows_are_two_kernels_on_the_library_s_stream(
@@ -89,13 +87,32 @@ def test_arms_without_regular_poses_have_one_kernel(
     solver: dhgen_cuda.Solver, driver: ctypes.CDLL
 ) -> None:
     assert solver
-    general = dhgen_cuda.cuda(robot("xarm6"))
-    q, status = general.ik_batch(poses(10**6))
+    quartic = dhgen_cuda.cuda(robot("cuspidal_3r"))
+    q, status = quartic.ik_batch(poses(10**6))
     arrays = f"f4240 10000001000 0 0 {q.place:x} {status.place:x} 0"
     name = "dhgen_careful_rows<double, 16> sm_90"
     assert launches(driver) == [f"{name} 264,1,1 128,1,1 0 on 77: {arrays}"]
-    with pytest.raises(ValueError, match="xarm6 has no regular poses: all need careful=True"):
-        general.count(poses(2), careful=False)
+    with pytest.raises(ValueError, match="cuspidal_3r has no regular poses: all need careful=True"):
+        quartic.count(poses(2), careful=False)
+
+
+@pytest.mark.parametrize(("group", "blocks"), [(1, 264), (8, 250001), (16, 500001), (32, 1000001)])
+def test_groups_of_threads_solve_a_pose_of_the_general_algorithm(
+    group: int, blocks: int, solver: dhgen_cuda.Solver, driver: ctypes.CDLL
+) -> None:
+    """Each in a warp of its own or a part of one, which are as many as there are poses."""
+    assert solver.program.group == 1
+    assert "DHGEN_GROUP" not in solver.program.text
+    module = robot("xarm6")
+    program = dhgen_cuda.Program.of(module, Path(str(module.__file__)).with_suffix(".c"), group)
+    assert ("#define DHGEN_GROUP" in program.text) == (group > 1)
+    general = dhgen_cuda.Solver(program, solver._cu)
+    q, status = general.ik_batch(poses(10**6 + 1))
+    arrays = f"f4241 10000001000 0 0 {q.place:x} {status.place:x} 0"
+    size = f"{blocks},1,1 {32 if group > 1 else 128},1,1"
+    name = "dhgen_careful_rows<double, 16> sm_90"
+    assert launches(driver) == [f"{name} {size} 0 on 77: {arrays}"]
+    assert dhgen_cuda.cuda(module).program.group == dhgen_cuda.GROUP
 
 
 def test_given_values(solver: dhgen_cuda.Solver, driver: ctypes.CDLL) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from dhgen.runtime.helpers.dhgen_cuda import GROUP
 from tests.gpu.nvrtc import (
     CAREFUL,
     FIRST,
@@ -32,6 +33,9 @@ ALL = [name for name in MADE if name not in PARALLEL]
 ARMS = [name for name in ALL if not name.endswith((FLEET, SINGLE))]
 OTHERS = [name for name in ALL if name.endswith((FLEET, SINGLE))]
 CLOSED = [name for name in ARMS if is_regular(name)]
+GENERAL = [
+    name for name in ARMS if "#define DHGEN_TRAITS " in (GENERATED / f"{name}.c").read_text("utf-8")
+]
 # Closed forms in which nothing needs a sine of an angle that comes from outside: of a given joint
 # it may be large, and taking its turns away needs forty bytes of memory.
 WITHOUT_SINES = [
@@ -61,6 +65,24 @@ int main()
 }
 """
 
+IN_GROUPS = """
+#define DHGEN_GROUP 16
+#define DHGEN_ROBOT xarm6
+#define DHGEN_GIVEN 0
+#include "xarm6.c"
+#include "dhgen_kernels.cuh"
+"""
+ON_THE_HOST = """
+int main()
+{
+    const double q[6] = { 0.3, -0.8, -0.5, 1.0, 0.7, 0.2 };
+    double T[16], found[16][6];
+    unsigned char status[16];
+    xarm6_fk(q, T);
+    return xarm6_ik(T, nullptr, found, status) > 1 ? 0 : 1;
+}
+"""
+
 
 @pytest.mark.parametrize("name", those_in(("scara",), ARMS))
 def test_every_kernel_of_an_arm_compiles_without_a_warning(name: str) -> None:
@@ -68,6 +90,21 @@ def test_every_kernel_of_an_arm_compiles_without_a_warning(name: str) -> None:
     wanted = [*(FIRST if is_regular(name) else ()), *CAREFUL, *MOTION]
     kernels = [f"dhgen_{each}<double, 16>" for each in wanted]
     kernels_of(name, [*kernels, "dhgen_careful_rows<float, 12>"], ["-arch=compute_80"])
+
+
+@pytest.mark.parametrize("name", those_in(("xarm6",), GENERAL))
+def test_kernels_for_groups_of_threads_compile_without_a_warning(name: str) -> None:
+    kernels = [f"dhgen_{each}<double, 16>" for each in CAREFUL]
+    kernels_of(name, kernels, ["-arch=compute_80", f"-DDHGEN_GROUP={GROUP}"])
+
+
+@BREADTH
+def test_groups_of_threads_need_less_memory_of_their_own() -> None:
+    """A thread that solves a pose alone takes 56 kilobytes."""
+    option = f"-DDHGEN_GROUP={GROUP}"
+    needed = used("xarm6", "dhgen_careful_rows<double, 16>", ARCHITECTURES[1], option)
+    assert needed.stack <= 32 << 10
+    assert needed.shared <= 48 << 10  # what a block has without asking for it
 
 
 @pytest.mark.parametrize("name", those_in((), OTHERS))
@@ -123,6 +160,20 @@ def test_the_source_in_docs_is_one(tmp_path: Path) -> None:
     page = (GENERATED.parent / "docs" / "gpu.md").read_text("utf-8")
     (text,) = re.findall(r"```c\n(#define DHGEN_ROBOT.*?)```", page, re.DOTALL)
     assert built(text, tmp_path, "-c").stat().st_size > 0
+
+
+@BREADTH
+def test_groups_of_threads_are_on_the_device_alone(tmp_path: Path) -> None:
+    assert subprocess.run([built(IN_GROUPS + ON_THE_HOST, tmp_path)], check=False).returncode == 0
+
+
+@BREADTH
+def test_the_launch_of_groups_in_docs_is_one(tmp_path: Path) -> None:
+    page = (GENERATED.parent / "docs" / "gpu.md").read_text("utf-8")
+    (launch,) = re.findall(r"```c\n(dhgen_careful_rows.*?)```", page, re.DOTALL)
+    arguments = "size_t n, const dhgen_batch<double> &batch, cudaStream_t stream"
+    text = f"{IN_GROUPS}void solve({arguments})\n{{\n{launch}}}\n"
+    assert built(text, tmp_path, "-ptx").stat().st_size > 0
 
 
 @BREADTH

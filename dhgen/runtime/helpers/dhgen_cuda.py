@@ -51,6 +51,10 @@ SKIPPED = 5  # NaN: the pose needs the careful functions, and these were not ask
 ARRAYS = ("T", "free_joints", "values", "q", "status", "left")  # of a batch
 OPTIONS = ("-std=c++17",)
 MOST = 2**31 - 1  # poses of a batch
+# Threads that solve one pose of the general algorithm together, 8, 16 or 32: it has up to 16
+# solutions.
+GROUP = 16
+WARP = 32
 _MULTIPROCESSORS, _MAJOR, _MINOR = 16, 75, 76  # attributes of a device
 _ORDINAL = 9  # attribute of a pointer: its device
 _NO_TIMING = 2  # flag of an event
@@ -110,16 +114,20 @@ class Program:
     rows: int
     given: int
     regular: bool  # whether regular poses have a kernel of their own
+    group: int  # threads that solve a pose together; 1 but for the general algorithm
 
     @staticmethod
-    def of(module: ModuleType, source: Path) -> Program:
-        """The program of a robot."""
+    def of(module: ModuleType, source: Path, group: int = GROUP) -> Program:
+        """The program of a robot, that of the general algorithm for such groups of threads."""
+        content = source.read_text(encoding="utf-8")
         given = 1 if hasattr(module, "arm_angle") else len(getattr(module, "FREE_JOINTS", ()))
+        regular = "#define DHGEN_SOLVE_WIDE " in content
+        group = group if "#define DHGEN_TRAITS " in content and not regular else 1
         defined = f"#define DHGEN_ROBOT {module.NAME}\n#define DHGEN_GIVEN {given}\n"
+        defined += f"#define DHGEN_GROUP {group}\n" if group > 1 else ""
         text = f'{defined}#include "{source.name}"\n#include "dhgen_kernels.cuh"\n'
-        regular = "#define DHGEN_SOLVE_WIDE " in source.read_text(encoding="utf-8")
         rows = len(module.BRANCHES)
-        return Program(module.NAME, source, text, module.DOF, rows, given, regular)
+        return Program(module.NAME, source, text, module.DOF, rows, given, regular, group)
 
     def kernel(self, name: str, architecture: str) -> tuple[bytes, bytes]:
         """A kernel compiled for an architecture, unless it is kept already: its name, its code."""
@@ -279,6 +287,9 @@ class Solver:
         with self.at(arrays) as device:
             processors = self._attribute(_MULTIPROCESSORS, device)
             last = self.kernel(asked[1], device) if careful else Pointer()
+            if self.program.group > 1:  # as many blocks as there are poses: these take long or not
+                self.launch(last, (_over(n * self.program.group, WARP), WARP), batch, at)
+                return self._handed(call, made)
             if not self.program.regular:
                 self.launch(last, (min(_over(n, 128), 2 * processors), 128), batch, at)
                 return self._handed(call, made)

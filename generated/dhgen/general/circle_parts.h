@@ -24,8 +24,12 @@
  * about where what is looked for lies, in parts of the width. */
 typedef struct {
     int count;
-    double c[DHGEN_PARTS], s[DHGEN_PARTS], width[DHGEN_PARTS], start[DHGEN_PARTS];
-    double low[3][DHGEN_PARTS], high[3][DHGEN_PARTS];
+    DHGEN_MEMBER(c, DHGEN_PARTS);
+    DHGEN_MEMBER(s, DHGEN_PARTS);
+    DHGEN_MEMBER(width, DHGEN_PARTS);
+    DHGEN_MEMBER(start, DHGEN_PARTS);
+    DHGEN_MEMBER_ROWS(low, 3, DHGEN_PARTS);
+    DHGEN_MEMBER_ROWS(high, 3, DHGEN_PARTS);
 } dhgen_parts;
 
 /* Parts where f turns once, and parts where it rises or falls throughout and has a root. */
@@ -57,21 +61,21 @@ typedef struct {
 /* Parts from one on, in lanes; behind the last one it comes again. */
 DHGEN_FN void dhgen_load_parts(dhgen_parts *parts, int from, dhgen_spans *out)
 {
-    const int last = parts->count - 1;
-    while (parts->count < from + DHGEN_GENERAL_LANES) {
+    const int last = parts->count - 1, left = parts->count - from;
+    while (DHGEN_LANES_BEHIND && parts->count < from + DHGEN_GENERAL_LANES) {
         const double low[3] = { parts->low[0][last], parts->low[1][last], parts->low[2][last] };
         const double high[3] = { parts->high[0][last], parts->high[1][last], parts->high[2][last] };
         dhgen_add_part(parts, parts->c[last], parts->s[last], parts->width[last], low, high,
             parts->start[last]);
     }
     parts->count = last + 1;
-    out->c = DHGEN_LOAD(parts->c + from);
-    out->s = DHGEN_LOAD(parts->s + from);
-    out->width = DHGEN_LOAD(parts->width + from);
-    out->start = DHGEN_LOAD(parts->start + from);
+    out->c = DHGEN_LOAD_SOME(parts->c + from, left);
+    out->s = DHGEN_LOAD_SOME(parts->s + from, left);
+    out->width = DHGEN_LOAD_SOME(parts->width + from, left);
+    out->start = DHGEN_LOAD_SOME(parts->start + from, left);
     for (int i = 0; i < 3; i++) {
-        out->low[i] = DHGEN_LOAD(parts->low[i] + from);
-        out->high[i] = DHGEN_LOAD(parts->high[i] + from);
+        out->low[i] = DHGEN_LOAD_SOME(parts->low[i] + from, left);
+        out->high[i] = DHGEN_LOAD_SOME(parts->high[i] + from, left);
     }
 }
 
@@ -199,8 +203,10 @@ DHGEN_FN void dhgen_solve_parts(
     const dhgen_trigonometric *f, dhgen_waiting *waiting, dhgen_roots *roots)
 {
     dhgen_parts *const bent = &waiting->turning, *const crossing = &waiting->crossing;
-    double x[DHGEN_GENERAL_LANES], c[DHGEN_GENERAL_LANES], s[DHGEN_GENERAL_LANES],
-        value[3][DHGEN_GENERAL_LANES];
+    DHGEN_LANES_IN_ROOM(x, DHGEN_BOARD(0));
+    DHGEN_LANES_IN_ROOM(c, DHGEN_BOARD(1));
+    DHGEN_LANES_IN_ROOM(s, DHGEN_BOARD(2));
+    DHGEN_ROWS_IN_ROOM(value, 3, DHGEN_BOARD(3));
     dhgen_spans part;
     dhgen_lane cosine, sine, at[3];
     for (int from = 0; from < bent->count; from += DHGEN_GENERAL_LANES) {

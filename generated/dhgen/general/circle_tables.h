@@ -10,6 +10,8 @@
  * eighth measure the rounding. */
 #define DHGEN_SAMPLES 24
 #define DHGEN_HARMONICS 17
+/* What holds the samples. */
+#define DHGEN_SAMPLE_LANES ((DHGEN_SAMPLES + DHGEN_GENERAL_LANES - 1) / DHGEN_GENERAL_LANES)
 
 /* Cells of the circle in which roots are looked for, and of half of it. */
 #define DHGEN_CELLS 256

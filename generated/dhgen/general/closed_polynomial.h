@@ -13,7 +13,9 @@
  * solution is at infinity. */
 typedef struct {
     int count, group[DHGEN_CANDIDATES], far[2 * DHGEN_ROOTS];
-    double c[DHGEN_CANDIDATES], s[DHGEN_CANDIDATES], sign[2][DHGEN_CANDIDATES];
+    DHGEN_MEMBER(c, DHGEN_CANDIDATES);
+    DHGEN_MEMBER(s, DHGEN_CANDIDATES);
+    DHGEN_MEMBER_ROWS(sign, 2, DHGEN_CANDIDATES);
     int aligned; /* whether a root does not determine all turns */
 } dhgen_ways;
 
@@ -43,18 +45,12 @@ DHGEN_FN int dhgen_refine_ways(const dhgen_loop *loop, dhgen_way_solver *joints,
     for (int from = 0; from < ways->count; from += DHGEN_GENERAL_LANES) {
         const int count =
             ways->count - from < DHGEN_GENERAL_LANES ? ways->count - from : DHGEN_GENERAL_LANES;
-        double in[4][DHGEN_GENERAL_LANES];
         dhgen_lane c[6], s[6];
         int place[DHGEN_GENERAL_LANES];
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-            const int i = k < count ? from + k : from;
-            in[0][k] = ways->c[i];
-            in[1][k] = ways->s[i];
-            in[2][k] = ways->sign[0][i];
-            in[3][k] = ways->sign[1][i];
-        }
-        joints(setting, DHGEN_LOAD(in[0]), DHGEN_LOAD(in[1]), DHGEN_LOAD(in[2]), DHGEN_LOAD(in[3]),
-            c, s);
+        joints(setting, dhgen_lane_from(ways->c, from, ways->count),
+            dhgen_lane_from(ways->s, from, ways->count),
+            dhgen_lane_from(ways->sign[0], from, ways->count),
+            dhgen_lane_from(ways->sign[1], from, ways->count), c, s);
         met |=
             dhgen_refine_and_keep(loop, c, s, count, DHGEN_LOOP_STEPS, doubles > 0, found, place);
         for (int k = 0; k < count; k++) {

@@ -242,14 +242,16 @@ DHGEN_FN void dhgen_correct_angles(
     for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
         const int left = count - from,
                   now = left < DHGEN_GENERAL_LANES ? left : DHGEN_GENERAL_LANES;
-        double values[6][DHGEN_GENERAL_LANES], miss[DHGEN_GENERAL_LANES];
+        DHGEN_ROWS_IN_ROOM(values, 6, DHGEN_BOARD(0));
+        DHGEN_LANES_IN_ROOM(miss, DHGEN_BOARD(6));
         dhgen_lane a[6], c[6], s[6];
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        for (int k = DHGEN_FIRST_LANE; k < DHGEN_END_LANE; k++) {
             const double *row = angle[from + (k < now ? k : 0)];
             for (int i = 0; i < 6; i++) {
                 values[i][k] = row[i];
             }
         }
+        DHGEN_MEET();
         DHGEN_UNROLL
         for (int i = 0; i < 6; i++) {
             a[i] = DHGEN_LOAD(values[i]);

@@ -61,10 +61,10 @@ DHGEN_FN int dhgen_refine_candidates(const dhgen_formulation *form, const dhgen_
             all->count - from < DHGEN_GENERAL_LANES ? all->count - from : DHGEN_GENERAL_LANES;
         dhgen_lane n[6], c[6], s[6], tc[6], ts[6];
         int place[DHGEN_GENERAL_LANES];
-        c[0] = DHGEN_LOAD(all->c + from);
-        s[0] = DHGEN_LOAD(all->s + from);
+        c[0] = DHGEN_LOAD_SOME(all->c + from, count);
+        s[0] = DHGEN_LOAD_SOME(all->s + from, count);
         for (int i = 0; i < 6; i++) {
-            n[i] = DHGEN_LOAD(all->n[i] + from);
+            n[i] = DHGEN_LOAD_SOME(all->n[i] + from, count);
         }
         if (dhgen_has(loop->arm, DHGEN_HIDDEN_SLIDE)) {
             s[0] = dhgen_hidden_length(c[0], s[0]);
@@ -108,20 +108,17 @@ DHGEN_FN int dhgen_keep_vanishing(const void *of, int count, double *cosine, dou
     int kept = 0;
     for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
         dhgen_lane factor[6][6], x[2][6];
-        double c[DHGEN_GENERAL_LANES], s[DHGEN_GENERAL_LANES], regular[DHGEN_GENERAL_LANES],
-            apart[DHGEN_GENERAL_LANES];
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-            const int i = from + k < count ? from + k : from;
-            c[k] = cosine[i];
-            s[k] = sine[i];
-        }
-        (void)dhgen_determinant(equations, DHGEN_LOAD(c), DHGEN_LOAD(s), factor);
+        DHGEN_LANES_IN_ROOM(regular, DHGEN_BOARD(0));
+        DHGEN_LANES_IN_ROOM(apart, DHGEN_BOARD(1));
+        const dhgen_lane c = dhgen_lane_from(cosine, from, count);
+        const dhgen_lane s = dhgen_lane_from(sine, from, count);
+        (void)dhgen_determinant(equations, c, s, factor);
         DHGEN_STORE(regular, dhgen_smallest_vectors(factor, x));
-        DHGEN_STORE(apart, dhgen_independence(equations, DHGEN_LOAD(c), DHGEN_LOAD(s)));
+        DHGEN_STORE(apart, dhgen_independence(equations, c, s));
         for (int k = 0; k < DHGEN_GENERAL_LANES && from + k < count; k++) {
             if (regular[k] < 1.0 || !(apart[k] > DHGEN_INDEPENDENT)) {
-                cosine[kept] = c[k];
-                sine[kept++] = s[k];
+                cosine[kept] = cosine[from + k];
+                sine[kept++] = sine[from + k];
             }
         }
     }
@@ -136,7 +133,8 @@ DHGEN_FN void dhgen_sample_determinant(
     const double *const equations = ((const dhgen_elimination *)of)->E;
     for (int k = 0; k < DHGEN_SAMPLES; k += DHGEN_GENERAL_LANES) {
         dhgen_lane factor[6][6];
-        dhgen_lane c = DHGEN_LOAD(dhgen_sample_c + k), s = DHGEN_LOAD(dhgen_sample_s + k);
+        dhgen_lane c = DHGEN_LOAD_SOME(dhgen_sample_c + k, DHGEN_SAMPLES - k);
+        dhgen_lane s = DHGEN_LOAD_SOME(dhgen_sample_s + k, DHGEN_SAMPLES - k);
         const dhgen_lane square = dhgen_apply_moebius(map, &c, &s);
         dhgen_lane determinant = dhgen_determinant(equations, c, s, factor);
         if (dhgen_has(arm, DHGEN_HIDDEN_SLIDE)) {
@@ -145,7 +143,7 @@ DHGEN_FN void dhgen_sample_determinant(
                 determinant /= nearness; /* without its zero where the length is infinite */
             }
         }
-        DHGEN_STORE(samples + k, dhgen_weighted(determinant, square));
+        DHGEN_STORE_SOME(samples + k, dhgen_weighted(determinant, square), DHGEN_SAMPLES - k);
     }
 }
 
@@ -153,7 +151,9 @@ DHGEN_FN void dhgen_sample_determinant(
 DHGEN_FN int dhgen_eliminate(
     const dhgen_formulation *form, const dhgen_loop *loop, dhgen_found *found)
 {
-    double link[6][12], left[15][32], E[192];
+    double link[6][12];
+    DHGEN_IN_ROOM(E, 192, DHGEN_ROOM_E);
+    DHGEN_TABLE_IN_ROOM(left, 15, 32, DHGEN_ROOM_LEFT);
     const dhgen_elimination elimination = { loop->arm, E };
     const dhgen_source source = { dhgen_sample_determinant, dhgen_keep_vanishing, &elimination };
     dhgen_roots roots, beside;
@@ -169,6 +169,7 @@ DHGEN_FN int dhgen_eliminate(
     if (!dhgen_real_roots(&source, &roots)) {
         return 0;
     }
+    DHGEN_PLACE_ROWS(&all, n, 6, DHGEN_CANDIDATES_IN_LANES);
     beside.simple = all.count = all.groups = 0;
     for (int i = 0; i < roots.doubles + roots.unseen; i++) {
         separate[i] = dhgen_separate(E, roots.double_c[i], roots.double_s[i], &beside);
@@ -180,7 +181,7 @@ DHGEN_FN int dhgen_eliminate(
         dhgen_null_plane(E, roots.double_c[i], roots.double_s[i], &all);
     }
     /* lanes behind the last candidate hold the first one */
-    for (int k = all.count; k % DHGEN_GENERAL_LANES; k++) {
+    for (int k = all.count; DHGEN_LANES_BEHIND && k % DHGEN_GENERAL_LANES; k++) {
         all.c[k] = all.c[0];
         all.s[k] = all.s[0];
         for (int i = 0; i < 6; i++) {

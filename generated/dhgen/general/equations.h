@@ -9,11 +9,21 @@
 
 /* Equations that the monomials of the right side are eliminated from. */
 #define DHGEN_MIXED 14
+/* Columns of the left side, 27 of them, with room for what runs over. */
+#define DHGEN_ALL_COLUMNS (DHGEN_LANES_BEHIND ? 40 : 27)
 
 /* Monomials of the left side that the outer joint of the right side leaves alone, and monomials
  * that it mixes: the former hold two of the eight monomials of the right side, the latter six. */
 DHGEN_TABLE int dhgen_still[6] = { 3, 6, 7, 8, 11, 14 };
 DHGEN_TABLE int dhgen_mixed[8] = { 1, 2, 4, 5, 9, 10, 12, 13 };
+
+/* The monomials of the origin and of the direction z, in the first of 16 columns. */
+DHGEN_INLINE void dhgen_begin_columns(double x[240])
+{
+    for (int i = 0; i < 15; i++) {
+        x[16 * i] = i == 0 || i == 3 ? 1.0 : 0.0;
+    }
+}
 
 typedef void dhgen_joint_parts(const dhgen_lane x[15], dhgen_lane part[3][15]);
 
@@ -28,13 +38,13 @@ DHGEN_FN void dhgen_pass_link(const double K[12], const double from[240], int co
          k -= DHGEN_GENERAL_LANES) {
         dhgen_lane x[15], part[3][15];
         for (int i = 0; i < 15; i++) {
-            x[i] = DHGEN_LOAD(from + 16 * i + k);
+            x[i] = DHGEN_LOAD_SOME(from + 16 * i + k, columns - k);
         }
         dhgen_act(K, x);
         parts(x, part);
         for (int i = 0; i < 15; i++) {
             for (int a = 0; a < 3; a++) {
-                DHGEN_STORE(to + width * i + a * columns + k, part[a][i]);
+                DHGEN_STORE_SOME(to + width * i + a * columns + k, part[a][i], columns - k);
             }
         }
     }
@@ -49,7 +59,8 @@ DHGEN_INLINE void dhgen_clear_columns(
     DHGEN_UNROLL
     for (int c = 0; c < columns; c++) {
         const int first = c / DHGEN_GENERAL_LANES * DHGEN_GENERAL_LANES;
-        double product[8], length;
+        DHGEN_IN_ROOM(product, 8, DHGEN_ROOM_PRODUCT);
+        double length;
         DHGEN_UNROLL
         for (int i = c; i < rows; i++) {
             axis[c][i] = A[i][c];
@@ -59,20 +70,22 @@ DHGEN_INLINE void dhgen_clear_columns(
             dhgen_lane sum = dhgen_lane_all(0.0);
             DHGEN_UNROLL
             for (int i = c; i < rows; i++) {
-                sum += axis[c][i] * DHGEN_LOAD(&A[i][j]);
+                sum += axis[c][i] * DHGEN_LOAD_SOME(&A[i][j], columns - j);
             }
-            DHGEN_STORE(&product[j], sum);
+            DHGEN_STORE_SOME(&product[j], sum, columns - j);
         }
         length = copysign(sqrt(product[c]), axis[c][c]);
         axis[c][c] += length;
         factor[c] = 1.0 / (length * axis[c][c] + DHGEN_TINY);
         DHGEN_UNROLL
         for (int j = first; j < columns; j += DHGEN_GENERAL_LANES) {
-            const dhgen_lane sum = DHGEN_LOAD(&product[j]) + length * DHGEN_LOAD(&A[c][j]);
+            const dhgen_lane sum = DHGEN_LOAD_SOME(&product[j], columns - j)
+                + length * DHGEN_LOAD_SOME(&A[c][j], columns - j);
             const dhgen_lane part = sum * factor[c];
             DHGEN_UNROLL
             for (int i = c; i < rows; i++) {
-                DHGEN_STORE(&A[i][j], DHGEN_LOAD(&A[i][j]) - axis[c][i] * part);
+                DHGEN_STORE_SOME(&A[i][j],
+                    DHGEN_LOAD_SOME(&A[i][j], columns - j) - axis[c][i] * part, columns - j);
             }
         }
     }
@@ -102,7 +115,9 @@ DHGEN_INLINE void dhgen_reflect_column(double axis[8][DHGEN_MIXED], const double
 DHGEN_FN void dhgen_left_side(const dhgen_general_arm *arm, const dhgen_formulation *form,
     double link[6][12], double to[15][32])
 {
-    double x[240] = { 0.0 }, y[240] = { 0.0 }, all[600] = { 0.0 };
+    DHGEN_ZEROS_IN_ROOM(x, 240, DHGEN_ROOM_X);
+    DHGEN_ZEROS_IN_ROOM(y, 240, DHGEN_ROOM_Y);
+    DHGEN_ZEROS_IN_ROOM(all, 15 * DHGEN_ALL_COLUMNS, DHGEN_ROOM_ALL);
     const int beside = dhgen_has(arm, DHGEN_LEFT_SLIDE);
     dhgen_joint_parts *const partner_2 =
         beside && dhgen_is_slide(arm, form->joint[1]) ? dhgen_falling_lengths : dhgen_tangents;
@@ -110,14 +125,14 @@ DHGEN_FN void dhgen_left_side(const dhgen_general_arm *arm, const dhgen_formulat
         beside && dhgen_is_slide(arm, form->joint[2]) ? dhgen_falling_lengths : dhgen_tangents;
     dhgen_joint_parts *const hidden =
         dhgen_has(arm, DHGEN_HIDDEN_SLIDE) ? dhgen_on_circle : dhgen_cosines;
-    x[0] = x[48] = 1.0; /* the origin and z */
+    dhgen_begin_columns(x);
     dhgen_pass_link(link[2], x, 1, partner_3, y, 16);
     dhgen_pass_link(link[1], y, 3, partner_2, x, 16);
-    dhgen_pass_link(link[0], x, 9, hidden, all, 40);
+    dhgen_pass_link(link[0], x, 9, hidden, all, DHGEN_ALL_COLUMNS);
     for (int k = 0; k < 32; k += DHGEN_GENERAL_LANES) {
         dhgen_lane z[15];
         for (int i = 0; i < 15; i++) {
-            z[i] = DHGEN_LOAD(all + 40 * i + k);
+            z[i] = DHGEN_LOAD_SOME(all + DHGEN_ALL_COLUMNS * i + k, 27 - k);
         }
         dhgen_act(link[5], z);
         for (int i = 0; i < 15; i++) {
@@ -131,10 +146,13 @@ DHGEN_FN void dhgen_left_side(const dhgen_general_arm *arm, const dhgen_formulat
  * half-angle tangents or lengths; the left side's monomials have columns like these. */
 DHGEN_FN void dhgen_turning_equations(double link[6][12], const double (*left)[32], double E[192])
 {
-    double x[240] = { 0.0 }, y[240] = { 0.0 }, right[240] = { 0.0 };
-    double inverse[12], A[DHGEN_MIXED][8] DHGEN_ALIGNED = { { 0.0 } };
+    DHGEN_ZEROS_IN_ROOM(x, 240, DHGEN_ROOM_X);
+    DHGEN_ZEROS_IN_ROOM(y, 240, DHGEN_ROOM_Y);
+    DHGEN_ZEROS_IN_ROOM(right, 240, DHGEN_ROOM_RIGHT);
+    DHGEN_ZERO_TABLE_IN_ROOM(A, DHGEN_MIXED, 8, DHGEN_ROOM_A);
+    double inverse[12];
     double still_axis[8][DHGEN_MIXED], still_factor[8], pair_axis[8][DHGEN_MIXED], pair_factor[8];
-    x[0] = x[48] = 1.0; /* the origin and z */
+    dhgen_begin_columns(x);
     dhgen_invert(link[3], inverse);
     dhgen_pass_link(inverse, x, 1, dhgen_cosines, y, 16);
     dhgen_invert(link[4], inverse);
@@ -175,9 +193,12 @@ DHGEN_FN void dhgen_turning_equations(double link[6][12], const double (*left)[3
 DHGEN_FN void dhgen_sliding_equations(const dhgen_general_arm *arm, const dhgen_formulation *form,
     double link[6][12], const double (*left)[32], double E[192])
 {
-    double x[240] = { 0.0 }, y[240] = { 0.0 }, right[240] = { 0.0 };
-    double inverse[12], A[DHGEN_MIXED][8] DHGEN_ALIGNED, axis[8][DHGEN_MIXED], factor[8];
-    x[0] = x[48] = 1.0; /* the origin and z */
+    DHGEN_ZEROS_IN_ROOM(x, 240, DHGEN_ROOM_X);
+    DHGEN_ZEROS_IN_ROOM(y, 240, DHGEN_ROOM_Y);
+    DHGEN_ZEROS_IN_ROOM(right, 240, DHGEN_ROOM_RIGHT);
+    DHGEN_TABLE_IN_ROOM(A, DHGEN_MIXED, 8, DHGEN_ROOM_A);
+    double inverse[12], axis[8][DHGEN_MIXED], factor[8];
+    dhgen_begin_columns(x);
     dhgen_invert(link[3], inverse);
     dhgen_pass_link(inverse, x, 1,
         dhgen_is_slide(arm, form->joint[4]) ? dhgen_rising_lengths : dhgen_cosines, y, 16);

@@ -227,7 +227,7 @@ DHGEN_INLINE double dhgen_across(dhgen_pair a[3], dhgen_pair b[3], double root, 
 {
     double most = 0.0, u[3], v[3];
     for (int i = 0; i < 3; i++) {
-        double each[4][DHGEN_GENERAL_LANES];
+        DHGEN_ROWS_IN_ROOM(each, 4, DHGEN_BOARD(4));
         DHGEN_STORE(each[0], a[i][0]);
         DHGEN_STORE(each[1], a[i][1]);
         DHGEN_STORE(each[2], b[i][0]);
@@ -251,15 +251,13 @@ DHGEN_FN void dhgen_four_turns_ways(const dhgen_four_turns_setting *set, const d
     const double *s, int count, int group, dhgen_ways *out)
 {
     for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
-        double in[2][DHGEN_GENERAL_LANES], U[DHGEN_GENERAL_LANES], V[DHGEN_GENERAL_LANES],
-            root[DHGEN_GENERAL_LANES], w[DHGEN_GENERAL_LANES];
+        DHGEN_LANES_IN_ROOM(U, DHGEN_BOARD(0));
+        DHGEN_LANES_IN_ROOM(V, DHGEN_BOARD(1));
+        DHGEN_LANES_IN_ROOM(root, DHGEN_BOARD(2));
+        DHGEN_LANES_IN_ROOM(w, DHGEN_BOARD(3));
         dhgen_both at;
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-            const int i = from + k < count ? from + k : from;
-            in[0][k] = c[i];
-            in[1][k] = s[i];
-        }
-        dhgen_around_once(set, DHGEN_LOAD(in[0]), DHGEN_LOAD(in[1]), &at);
+        dhgen_around_once(
+            set, dhgen_lane_from(c, from, count), dhgen_lane_from(s, from, count), &at);
         DHGEN_STORE(U, at.determinant[0]);
         DHGEN_STORE(V, at.determinant[1] * dhgen_root(at.delta));
         DHGEN_STORE(root, dhgen_root(at.delta));
@@ -279,8 +277,8 @@ DHGEN_FN void dhgen_four_turns_ways(const dhgen_four_turns_setting *set, const d
                     continue;
                 }
                 out->group[out->count] = group + from + k;
-                out->c[out->count] = in[0][k];
-                out->s[out->count] = in[1][k];
+                out->c[out->count] = c[from + k];
+                out->s[out->count] = s[from + k];
                 out->sign[0][out->count] = way ? -better : better;
                 out->sign[1][out->count] = 1.0;
                 out->count++;
@@ -337,12 +335,12 @@ DHGEN_FN void dhgen_sample_four_turns(
     const void *setting, const dhgen_moebius *map, double samples[DHGEN_SAMPLES])
 {
     for (int k = 0; k < DHGEN_SAMPLES; k += DHGEN_GENERAL_LANES) {
-        dhgen_lane c = DHGEN_LOAD(dhgen_sample_c + k), s = DHGEN_LOAD(dhgen_sample_s + k);
+        dhgen_lane c = DHGEN_LOAD_SOME(dhgen_sample_c + k, DHGEN_SAMPLES - k);
+        dhgen_lane s = DHGEN_LOAD_SOME(dhgen_sample_s + k, DHGEN_SAMPLES - k);
         const dhgen_lane square = dhgen_apply_moebius(map, &c, &s);
-        DHGEN_STORE(samples + k,
-            dhgen_weighted(
-                dhgen_four_turns_polynomial((const dhgen_four_turns_setting *)setting, c, s),
-                square));
+        const dhgen_lane f =
+            dhgen_four_turns_polynomial((const dhgen_four_turns_setting *)setting, c, s);
+        DHGEN_STORE_SOME(samples + k, dhgen_weighted(f, square), DHGEN_SAMPLES - k);
     }
 }
 
@@ -358,6 +356,7 @@ DHGEN_FN int dhgen_solve_four_turns(int which, const dhgen_loop *loop, dhgen_fou
     if (!dhgen_real_roots(&source, &roots)) {
         return 0;
     }
+    DHGEN_PLACE_ROWS(&ways, sign, 2, DHGEN_CANDIDATES);
     dhgen_clear_ways(&ways);
     dhgen_four_turns_ways(&set, roots.c, roots.s, roots.simple, 0, &ways);
     dhgen_four_turns_ways(&set, roots.double_c, roots.double_s, roots.doubles, roots.simple, &ways);

@@ -6,9 +6,11 @@
 
 #include "../arctangent_series.h"
 #include "../interface.h"
+#include "threads.h"
 
-/* Lanes: GNU vectors where the compiler has them, plain doubles otherwise. Vectors wider than the
- * machine's are slow: compile for the machine, or set DHGEN_GENERAL_LANES to 1, 2, 4 or 8. */
+/* Lanes: GNU vectors where the compiler has them, plain doubles otherwise; on a GPU the threads of
+ * a group with DHGEN_GROUP. Vectors wider than the machine's are slow: compile for the machine, or
+ * set DHGEN_GENERAL_LANES to 1, 2, 4 or 8. */
 #ifndef DHGEN_GENERAL_LANES
 #if defined(__CUDACC__)
 #define DHGEN_GENERAL_LANES 1
@@ -23,8 +25,11 @@
 #endif
 #endif
 
-#if DHGEN_GENERAL_LANES > 1 && defined(__SSE2__)
+#if DHGEN_GENERAL_LANES > 1 && !defined(DHGEN_LANES_ARE_THREADS)
+#define DHGEN_LANES_ARE_VECTORS
+#ifdef __SSE2__
 #include <immintrin.h>
+#endif
 #endif
 
 /* Added to what is divided by, so that the quotient stays finite; it changes no number that is not
@@ -39,6 +44,8 @@
  * what would fit in registers goes through memory. */
 #if DHGEN_GENERAL_LANES == 1 || defined(__OPTIMIZE_SIZE__)
 #define DHGEN_UNROLL
+#elif defined(__CUDACC__)
+#define DHGEN_UNROLL _Pragma("unroll")
 #elif defined(__clang__)
 #define DHGEN_UNROLL _Pragma("clang loop unroll(full)")
 #elif __GNUC__ >= 8
@@ -69,7 +76,7 @@ DHGEN_TABLE double dhgen_sine_series[7] = {
     -1.0 / 1307674368000.0,
 };
 
-#if DHGEN_GENERAL_LANES > 1
+#ifdef DHGEN_LANES_ARE_VECTORS
 typedef double dhgen_lane __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
 typedef long long dhgen_mask __attribute__((vector_size(8 * DHGEN_GENERAL_LANES)));
 /* A vector that lies between other doubles. */
@@ -130,11 +137,13 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
 #define DHGEN_HALF_PI_LOW 6.077100506506192e-11
 
 #else
+#ifndef DHGEN_LANES_ARE_THREADS
 typedef double dhgen_lane;
 typedef int dhgen_mask;
 #define DHGEN_ALIGNED
 #define DHGEN_LOAD(from) (*(from))
 #define DHGEN_STORE(to, x) (*(to) = (x))
+#endif
 
 DHGEN_INLINE dhgen_lane dhgen_lane_select(dhgen_mask m, dhgen_lane a, dhgen_lane b)
 {
@@ -161,6 +170,46 @@ DHGEN_INLINE dhgen_lane dhgen_lane_sqrt(dhgen_lane x)
     return sqrt(x);
 }
 
+#endif
+
+#ifndef DHGEN_LANES_ARE_THREADS
+/* Arrays in which lanes are stored, of numbers, of rows and of rows of lanes, and members that are
+ * such arrays. Where lanes are threads these are in a place of their room, and members are placed
+ * there. */
+#define DHGEN_IN_ROOM(name, count, place) double name[count]
+#define DHGEN_ZEROS_IN_ROOM(name, count, place) double name[count] = { 0.0 }
+#define DHGEN_TABLE_IN_ROOM(name, rows, columns, place) double name[rows][columns] DHGEN_ALIGNED
+#define DHGEN_ZERO_TABLE_IN_ROOM(name, rows, columns, place) \
+    double name[rows][columns] DHGEN_ALIGNED = { { 0.0 } }
+#define DHGEN_LANES_IN_ROOM(name, place) double name[DHGEN_GENERAL_LANES]
+#define DHGEN_ROWS_IN_ROOM(name, rows, place) double name[rows][DHGEN_GENERAL_LANES]
+#define DHGEN_KINDS_IN_ROOM(name, place) int name[DHGEN_GENERAL_LANES]
+#define DHGEN_MEMBER(name, count) double name[count]
+#define DHGEN_MEMBER_ROWS(name, rows, count) double name[rows][count]
+#define DHGEN_PLACE_GRID(grid)
+#define DHGEN_PLACE_PARTS(parts, place, length)
+#define DHGEN_PLACE_ROWS(of, rows, count, length)
+/* From where to where loops over lanes go in which each writes its own entries of arrays that begin
+ * there; behind them all meet. */
+#define DHGEN_FIRST_LANE 0
+#define DHGEN_END_LANE DHGEN_GENERAL_LANES
+#define DHGEN_MEET() ((void)0)
+/* Lanes of which so many count: the others are in the array, too. */
+#define DHGEN_LANES_BEHIND 1
+#define DHGEN_LOAD_SOME(from, count) ((void)(count), DHGEN_LOAD(from))
+#define DHGEN_STORE_SOME(to, x, count) ((void)(count), DHGEN_STORE(to, x))
+/* To an array that each thread has for itself. */
+#define DHGEN_SPREAD(to, x, count) DHGEN_STORE_SOME(to, x, count)
+
+/* Numbers from one on, one a lane; behind the last the first of them again. */
+DHGEN_INLINE dhgen_lane dhgen_lane_from(const double *numbers, int from, int count)
+{
+    double each[DHGEN_GENERAL_LANES];
+    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        each[k] = numbers[from + k < count ? from + k : from];
+    }
+    return DHGEN_LOAD(each);
+}
 #endif
 
 DHGEN_INLINE dhgen_lane dhgen_lane_all(double x)
@@ -191,6 +240,7 @@ DHGEN_INLINE dhgen_lane dhgen_lane_min(dhgen_lane a, dhgen_lane b)
 #endif
 }
 
+#ifndef DHGEN_LANES_ARE_THREADS
 /* Whether a number of some lane is above another one. */
 DHGEN_INLINE int dhgen_lane_any_above(dhgen_lane a, dhgen_lane b)
 {
@@ -210,11 +260,73 @@ DHGEN_INLINE int dhgen_lane_any_above(dhgen_lane a, dhgen_lane b)
 #endif
 }
 
+/* The largest number of all lanes. */
+DHGEN_INLINE double dhgen_lane_largest(dhgen_lane x)
+{
+    double each[DHGEN_GENERAL_LANES], most;
+    DHGEN_STORE(each, x);
+    most = each[0];
+    for (int k = 1; k < DHGEN_GENERAL_LANES; k++) {
+        most = each[k] > most ? each[k] : most;
+    }
+    return most;
+}
+
+#ifdef DHGEN_LANES_ARE_VECTORS
+/* Bits of many numbers, lane after lane. */
+typedef dhgen_mask dhgen_lane_bits;
+
+/* Adds a bit of each lane, from a number on. */
+DHGEN_INLINE void dhgen_lane_add_bits(dhgen_lane_bits *bits, dhgen_mask set, int from)
+{
+    dhgen_mask weight = { 0 };
+    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        weight[k] = 1LL << k;
+    }
+    *bits |= (set & weight) << from;
+}
+
+DHGEN_INLINE unsigned long long dhgen_lane_all_bits(dhgen_lane_bits bits)
+{
+    unsigned long long all = 0;
+    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+        all |= (unsigned long long)bits[k];
+    }
+    return all;
+}
+#else
+typedef unsigned long long dhgen_lane_bits;
+
+DHGEN_INLINE void dhgen_lane_add_bits(dhgen_lane_bits *bits, dhgen_mask set, int from)
+{
+    *bits |= (dhgen_lane_bits)set << from;
+}
+#endif
+#endif
+
+#ifndef DHGEN_LANES_ARE_VECTORS
+DHGEN_INLINE unsigned long long dhgen_lane_all_bits(dhgen_lane_bits bits)
+{
+    return bits;
+}
+#endif
+
+/* Whether any of four numbers is negative. */
+DHGEN_INLINE dhgen_mask dhgen_lane_any_negative(
+    dhgen_lane a, dhgen_lane b, dhgen_lane c, dhgen_lane d)
+{
+#ifdef DHGEN_LANES_ARE_VECTORS
+    return ((dhgen_mask)a | (dhgen_mask)b | (dhgen_mask)c | (dhgen_mask)d) < 0;
+#else
+    return a < 0.0 || b < 0.0 || c < 0.0 || d < 0.0;
+#endif
+}
+
 /* Cosine and sine of an angle within a few turns of zero, within 2 ulp: of what is left of the
  * nearest quarter turn, by their series. */
 DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_lane *s)
 {
-#if DHGEN_GENERAL_LANES > 1
+#ifdef DHGEN_LANES_ARE_VECTORS
     const dhgen_lane counted = angle * (1.0 / DHGEN_HALF_PI) + DHGEN_TO_INTEGER;
     const dhgen_lane quarters = counted - DHGEN_TO_INTEGER;
     const dhgen_mask number = (dhgen_mask)counted, odd = -(number & 1);
@@ -239,18 +351,6 @@ DHGEN_INLINE void dhgen_lane_direction(dhgen_lane angle, dhgen_lane *c, dhgen_la
     *c = cos(angle);
     *s = sin(angle);
 #endif
-}
-
-/* The largest number of all lanes. */
-DHGEN_INLINE double dhgen_lane_largest(dhgen_lane x)
-{
-    double each[DHGEN_GENERAL_LANES], most;
-    DHGEN_STORE(each, x);
-    most = each[0];
-    for (int k = 1; k < DHGEN_GENERAL_LANES; k++) {
-        most = each[k] > most ? each[k] : most;
-    }
-    return most;
 }
 
 /* The angle of a sine and a cosine with any positive common factor, in (-pi, pi], within 3 ulp:

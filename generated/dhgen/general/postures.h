@@ -59,13 +59,15 @@ DHGEN_FN void dhgen_ask_poses(const double (*link)[12], dhgen_asked *asked)
         dhgen_broadcast(T, link[0]);
         for (int i = 0; i < DHGEN_DOF; i++) {
             dhgen_lane c, s;
-            dhgen_lane_direction(DHGEN_LOAD(asked->angle[i] + from), &c, &s);
+            dhgen_lane_direction(
+                DHGEN_LOAD_SOME(asked->angle[i] + from, DHGEN_ASKED - from), &c, &s);
             dhgen_turn(T, c, s);
             dhgen_multiply(T, link[i + 1]);
         }
         for (int i = 0; i < 16; i++) {
             const dhgen_lane last = dhgen_lane_all(i == 15);
-            DHGEN_STORE(asked->pose[i] + from, i < 12 ? T[i / 4][i % 4] : last);
+            DHGEN_SPREAD(
+                asked->pose[i] + from, i < 12 ? T[i / 4][i % 4] : last, DHGEN_ASKED - from);
         }
     }
 }

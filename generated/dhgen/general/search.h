@@ -97,19 +97,21 @@ DHGEN_FN dhgen_solution_set dhgen_refine_from(
     dhgen_solution_set met = 0;
     for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
         const int now = count - from < DHGEN_GENERAL_LANES ? count - from : DHGEN_GENERAL_LANES;
-        double cs[2][6][DHGEN_GENERAL_LANES];
+        DHGEN_ROWS_IN_ROOM(cosines, 6, DHGEN_STARTS_BOARD(0));
+        DHGEN_ROWS_IN_ROOM(sines, 6, DHGEN_STARTS_BOARD(6));
         dhgen_lane c[6], s[6];
         int place[DHGEN_GENERAL_LANES];
         for (int i = 0; i < 6; i++) {
-            for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+            for (int k = DHGEN_FIRST_LANE; k < DHGEN_END_LANE; k++) {
                 const double angle = start[from + (k < now ? k : 0)][i];
                 const double cosine = cos(angle),
                              sine = dhgen_is_slide(loop->arm, i) ? angle : sin(angle);
-                cs[0][i][k] = cosine * loop->arm->advance[0][i] + sine * loop->arm->advance[1][i];
-                cs[1][i][k] = sine * loop->arm->advance[0][i] - cosine * loop->arm->advance[1][i];
+                cosines[i][k] = cosine * loop->arm->advance[0][i] + sine * loop->arm->advance[1][i];
+                sines[i][k] = sine * loop->arm->advance[0][i] - cosine * loop->arm->advance[1][i];
             }
-            c[i] = DHGEN_LOAD(cs[0][i]);
-            s[i] = DHGEN_LOAD(cs[1][i]);
+            DHGEN_MEET();
+            c[i] = DHGEN_LOAD(cosines[i]);
+            s[i] = DHGEN_LOAD(sines[i]);
         }
         met |= dhgen_refine_and_keep(loop, c, s, now, DHGEN_STEPS_FROM_AFAR, 1, found, place);
         for (int k = 0; k < now; k++) {

@@ -96,7 +96,9 @@ DHGEN_FN dhgen_solution_set dhgen_keep_lanes(const dhgen_loop *loop, const dhgen
     const dhgen_lane s[6], int count, dhgen_lane residuals, dhgen_lane pivots, dhgen_found *found,
     int place[DHGEN_GENERAL_LANES])
 {
-    double residual[DHGEN_GENERAL_LANES], theta[6][DHGEN_GENERAL_LANES], pivot[DHGEN_GENERAL_LANES];
+    DHGEN_LANES_IN_ROOM(residual, DHGEN_BOARD(0));
+    DHGEN_LANES_IN_ROOM(pivot, DHGEN_BOARD(1));
+    DHGEN_ROWS_IN_ROOM(theta, 6, DHGEN_BOARD(2));
     dhgen_solution_set met = 0;
     DHGEN_STORE(residual, residuals);
     DHGEN_STORE(pivot, pivots);

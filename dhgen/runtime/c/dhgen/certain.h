@@ -62,7 +62,7 @@ DHGEN_INLINE int dhgen_plain_status(const dhgen_padded_limits *limits, const dou
     const dhgen_lane zero = { 0 };
     int is_outside = 0, is_close = 0;
     for (int i = 0; i < DHGEN_PADDED_JOINTS; i += DHGEN_GENERAL_LANES) {
-        const dhgen_lane x = DHGEN_LOAD(q + i);
+        const dhgen_lane x = DHGEN_LOAD_SOME(q + i, DHGEN_DOF - i);
         const dhgen_lane below = DHGEN_LOAD(limits->lowest + i) - x,
                          above = x - DHGEN_LOAD(limits->highest + i);
         const dhgen_lane beyond = dhgen_lane_max(below, above);

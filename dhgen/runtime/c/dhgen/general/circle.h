@@ -30,7 +30,8 @@ typedef struct {
 
 /* f and f' at the edges of the cells; the first edge comes again at the end. */
 typedef struct {
-    double value[DHGEN_EDGES_IN_LANES] DHGEN_ALIGNED, slope[DHGEN_EDGES_IN_LANES] DHGEN_ALIGNED;
+    DHGEN_MEMBER(value, DHGEN_EDGES_IN_LANES) DHGEN_ALIGNED;
+    DHGEN_MEMBER(slope, DHGEN_EDGES_IN_LANES) DHGEN_ALIGNED;
 } dhgen_grid;
 
 /* The roots by their cosines and sines: `simple` of them change the sign of f, `doubles` touch zero
@@ -54,14 +55,27 @@ typedef struct {
 /* The polynomial through samples. */
 DHGEN_FN void dhgen_fit(const double samples[DHGEN_SAMPLES], dhgen_trigonometric *f)
 {
-    double h[DHGEN_SAMPLES] = { 0.0 }, most = 0.0, beyond = 0.0;
+    DHGEN_IN_ROOM(h, DHGEN_SAMPLES, DHGEN_ROOM_HARMONICS);
+    dhgen_lane sum[DHGEN_SAMPLE_LANES];
+    double most = 0.0, beyond = 0.0;
+    DHGEN_UNROLL
+    for (int j = 0; j < DHGEN_SAMPLE_LANES; j++) {
+        sum[j] = dhgen_lane_all(0.0);
+    }
     for (int k = 0; k < DHGEN_SAMPLES; k++) {
         most = fabs(samples[k]) > most ? fabs(samples[k]) : most;
     }
     for (int k = 0; k < DHGEN_SAMPLES; k++) {
-        for (int j = 0; j < DHGEN_SAMPLES; j++) {
-            h[j] += samples[k] * dhgen_harmonics[k][j];
+        DHGEN_UNROLL
+        for (int j = 0; j < DHGEN_SAMPLE_LANES; j++) {
+            const int at = j * DHGEN_GENERAL_LANES;
+            sum[j] += samples[k] * DHGEN_LOAD_SOME(&dhgen_harmonics[k][at], DHGEN_SAMPLES - at);
         }
+    }
+    DHGEN_UNROLL
+    for (int j = 0; j < DHGEN_SAMPLE_LANES; j++) {
+        const int at = j * DHGEN_GENERAL_LANES;
+        DHGEN_STORE_SOME(h + at, sum[j], DHGEN_SAMPLES - at);
     }
     for (int j = DHGEN_HARMONICS; j < DHGEN_SAMPLES; j++) {
         beyond = fabs(h[j]) > beyond ? fabs(h[j]) : beyond;
@@ -131,13 +145,7 @@ DHGEN_FN void dhgen_fill_grid(const dhgen_trigonometric *f, dhgen_grid *g)
 DHGEN_FN unsigned long long dhgen_open_cells(const dhgen_grid *g, int from, double doubt)
 {
     const double third = DHGEN_WIDTH / 3.0;
-    unsigned long long bits = 0;
-#if DHGEN_GENERAL_LANES > 1
-    dhgen_mask weight = { 0 }, sum = { 0 };
-    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-        weight[k] = 1LL << k;
-    }
-#endif
+    dhgen_lane_bits bits = { 0 };
     for (int i = 0; i < 64; i += DHGEN_GENERAL_LANES) {
         const dhgen_lane first = DHGEN_LOAD(&g->value[from + i]);
         const dhgen_lane f0 = dhgen_lane_abs(first) - doubt;
@@ -145,19 +153,9 @@ DHGEN_FN unsigned long long dhgen_open_cells(const dhgen_grid *g, int from, doub
         const dhgen_lane d0 = dhgen_lane_facing(DHGEN_LOAD(&g->slope[from + i]), first);
         const dhgen_lane d1 = dhgen_lane_facing(DHGEN_LOAD(&g->slope[from + i + 1]), first);
         const dhgen_lane b1 = f0 + third * d0, b2 = f1 - third * d1;
-#if DHGEN_GENERAL_LANES > 1
-        const dhgen_mask signs = (dhgen_mask)f0 | (dhgen_mask)f1 | (dhgen_mask)b1 | (dhgen_mask)b2;
-        sum |= ((signs < 0) & weight) << i;
-#else
-        bits |= (unsigned long long)(f0 < 0.0 || f1 < 0.0 || b1 < 0.0 || b2 < 0.0) << i;
-#endif
+        dhgen_lane_add_bits(&bits, dhgen_lane_any_negative(f0, f1, b1, b2), i);
     }
-#if DHGEN_GENERAL_LANES > 1
-    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-        bits |= (unsigned long long)sum[k];
-    }
-#endif
-    return bits;
+    return dhgen_lane_all_bits(bits);
 }
 
 /* Adds an angle; where there is no room the roots are not complete. */

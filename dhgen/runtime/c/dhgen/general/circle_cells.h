@@ -36,7 +36,7 @@ DHGEN_INLINE void dhgen_classify_lanes(
     const dhgen_lane b[6] = { part->low[0], part->low[0] + d0, part->low[0] + 2.0 * d0 + s0,
         part->high[0] - 2.0 * d1 + s1, part->high[0] - d1, part->high[0] };
     dhgen_lane least[3], most[3];
-    double bounds[5][DHGEN_GENERAL_LANES];
+    DHGEN_ROWS_IN_ROOM(bounds, 5, DHGEN_BOARD(0));
     least[0] = dhgen_lane_min(b[0], b[5]);
     most[0] = dhgen_lane_max(b[0], b[5]);
     least[1] = most[1] = b[1] - b[0];
@@ -56,7 +56,7 @@ DHGEN_INLINE void dhgen_classify_lanes(
     DHGEN_STORE(bounds[2], dhgen_lane_max(least[1], -most[1]) - doubt * share);
     DHGEN_STORE(bounds[3], dhgen_lane_max(least[2], -most[2]) - doubt * square);
     DHGEN_STORE(bounds[4], dhgen_lane_max(doubt, dhgen_lane_all(f->touching)));
-    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+    for (int k = DHGEN_FIRST_LANE; k < DHGEN_END_LANE; k++) {
         if (bounds[0][k] > bounds[4][k] || bounds[1][k] < -bounds[4][k]) {
             kind[k] = DHGEN_ROOTLESS;
         } else if (bounds[0][k] >= -f->rounding && bounds[1][k] <= f->rounding) {
@@ -65,6 +65,7 @@ DHGEN_INLINE void dhgen_classify_lanes(
             kind[k] = bounds[2][k] > 0.0 || bounds[3][k] > 0.0 ? DHGEN_TAME : DHGEN_WILD;
         }
     }
+    DHGEN_MEET();
 }
 
 /* What is known about f in one part. */
@@ -72,7 +73,7 @@ DHGEN_FN int dhgen_classify(
     const dhgen_trigonometric *f, const double low[3], const double high[3], double h)
 {
     dhgen_spans part;
-    int kind[DHGEN_GENERAL_LANES];
+    DHGEN_KINDS_IN_ROOM(kind, DHGEN_BOARD(5));
     part.width = dhgen_lane_all(h);
     for (int i = 0; i < 3; i++) {
         part.low[i] = dhgen_lane_all(low[i]);
@@ -166,10 +167,11 @@ DHGEN_FN void dhgen_search_cells(const dhgen_trigonometric *f, const dhgen_grid 
     int count, int *budget, dhgen_waiting *waiting, dhgen_roots *roots)
 {
     const double h = DHGEN_WIDTH;
-    double in[8][DHGEN_GENERAL_LANES], bend[2][DHGEN_GENERAL_LANES];
-    int kind[DHGEN_GENERAL_LANES];
+    DHGEN_ROWS_IN_ROOM(in, 8, DHGEN_CELL_BOARD(0));
+    DHGEN_ROWS_IN_ROOM(bend, 2, DHGEN_CELL_BOARD(8));
+    DHGEN_KINDS_IN_ROOM(kind, DHGEN_CELL_BOARD(10));
     dhgen_spans part;
-    for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
+    for (int k = DHGEN_FIRST_LANE; k < DHGEN_END_LANE; k++) {
         const int i = cell[k < count ? k : 0];
         in[0][k] = g->value[i];
         in[1][k] = g->slope[i];
@@ -178,6 +180,7 @@ DHGEN_FN void dhgen_search_cells(const dhgen_trigonometric *f, const dhgen_grid 
         dhgen_cell_edge(i, &in[4][k], &in[5][k]);
         dhgen_cell_edge((i + 1) % DHGEN_CELLS, &in[6][k], &in[7][k]);
     }
+    DHGEN_MEET();
     part.width = dhgen_lane_all(h);
     for (int end = 0; end < 2; end++) {
         dhgen_lane at[3], *const to = end ? part.high : part.low;
@@ -208,6 +211,9 @@ DHGEN_FN void dhgen_find_roots(
     dhgen_waiting waiting;
     int open[DHGEN_CELLS], count = 0;
     int budget = DHGEN_CELL_HALVINGS; /* against an f that is next to nothing for long stretches */
+    DHGEN_PLACE_GRID(&g);
+    DHGEN_PLACE_PARTS(&waiting.turning, DHGEN_ROOM_TURNING, DHGEN_WAITING);
+    DHGEN_PLACE_PARTS(&waiting.crossing, DHGEN_ROOM_CROSSING, DHGEN_PARTS);
     dhgen_fill_grid(f, &g);
     roots->simple = roots->doubles = roots->unseen = roots->lifted = 0;
     roots->complete = 1;

@@ -69,10 +69,11 @@ DHGEN_FN int dhgen_spreading_moebius(const double samples[DHGEN_SAMPLES], dhgen_
 DHGEN_FN void dhgen_undo_moebius(const dhgen_moebius *a, int count, double *cosine, double *sine)
 {
     for (int i = 0; i < count; i += DHGEN_GENERAL_LANES) {
-        dhgen_lane c = DHGEN_LOAD(cosine + i), s = DHGEN_LOAD(sine + i);
+        dhgen_lane c = DHGEN_LOAD_SOME(cosine + i, count - i);
+        dhgen_lane s = DHGEN_LOAD_SOME(sine + i, count - i);
         (void)dhgen_apply_moebius(a, &c, &s);
-        DHGEN_STORE(cosine + i, c);
-        DHGEN_STORE(sine + i, s);
+        DHGEN_SPREAD(cosine + i, c, count - i);
+        DHGEN_SPREAD(sine + i, s, count - i);
     }
 }
 

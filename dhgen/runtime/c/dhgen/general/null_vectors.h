@@ -10,6 +10,9 @@
 /* Room for candidates: roots, the middles of close pairs, double roots, and what may be on both
  * sides of them. */
 #define DHGEN_CANDIDATES 144
+/* And with lanes behind the last one. */
+#define DHGEN_CANDIDATES_IN_LANES \
+    ((DHGEN_CANDIDATES + DHGEN_GENERAL_LANES - 1) / DHGEN_GENERAL_LANES * DHGEN_GENERAL_LANES)
 /* As near to a double root simple ones are looked for [rad], at eight places at a time, and how
  * often: each parabola shows where to look next. */
 #define DHGEN_BESIDE 0.0001
@@ -48,7 +51,9 @@ DHGEN_TABLE int dhgen_down_2[4] = { 1, 2, 4, 5 };
  * many roots crowd that the determinant does not show it. */
 typedef struct {
     int count, groups, group[DHGEN_CANDIDATES], regular[DHGEN_CANDIDATES];
-    double c[DHGEN_CANDIDATES], s[DHGEN_CANDIDATES], n[6][DHGEN_CANDIDATES];
+    DHGEN_MEMBER(c, DHGEN_CANDIDATES_IN_LANES);
+    DHGEN_MEMBER(s, DHGEN_CANDIDATES_IN_LANES);
+    DHGEN_MEMBER_ROWS(n, 6, DHGEN_CANDIDATES_IN_LANES);
 } dhgen_candidates;
 
 /* x = U^-1 U^-T x, to length one; `inverse` holds the reciprocals of the diagonal. Returns what was
@@ -97,15 +102,9 @@ DHGEN_FN void dhgen_null_vectors(const double *E, const dhgen_roots *roots, dhge
 {
     const int behind = out->count;
     for (int from = 0; from < roots->simple; from += DHGEN_GENERAL_LANES) {
-        double cs[2][DHGEN_GENERAL_LANES];
-        dhgen_lane factor[6][6], inverse[6], x[6], c, s;
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-            const int i = from + k < roots->simple ? from + k : from;
-            cs[0][k] = roots->c[i];
-            cs[1][k] = roots->s[i];
-        }
-        c = DHGEN_LOAD(cs[0]);
-        s = DHGEN_LOAD(cs[1]);
+        const dhgen_lane c = dhgen_lane_from(roots->c, from, roots->simple);
+        const dhgen_lane s = dhgen_lane_from(roots->s, from, roots->simple);
+        dhgen_lane factor[6][6], inverse[6], x[6];
         (void)dhgen_determinant(E, c, s, factor);
         dhgen_reciprocals(factor, inverse);
         for (int i = 0; i < 6; i++) {
@@ -131,8 +130,8 @@ DHGEN_FN void dhgen_determinant_near(
 {
     for (int k = 0; k < 8; k += DHGEN_GENERAL_LANES) {
         dhgen_lane cosine = dhgen_lane_all(c), sine = dhgen_lane_all(s), factor[6][6];
-        dhgen_turn_slightly(DHGEN_LOAD(angle + k), &cosine, &sine);
-        DHGEN_STORE(f + k, dhgen_determinant(E, cosine, sine, factor));
+        dhgen_turn_slightly(DHGEN_LOAD_SOME(angle + k, 8 - k), &cosine, &sine);
+        DHGEN_SPREAD(f + k, dhgen_determinant(E, cosine, sine, factor), 8 - k);
     }
 }
 

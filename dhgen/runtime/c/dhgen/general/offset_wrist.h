@@ -160,22 +160,18 @@ DHGEN_FN void dhgen_wrist_ways(const dhgen_wrist_setting *set, const double *c, 
     int count, int group, dhgen_ways *out)
 {
     for (int from = 0; from < count; from += DHGEN_GENERAL_LANES) {
-        double in[2][DHGEN_GENERAL_LANES], misses[4][DHGEN_GENERAL_LANES];
+        DHGEN_ROWS_IN_ROOM(misses, 4, DHGEN_BOARD(0));
         dhgen_lane miss[4];
-        for (int k = 0; k < DHGEN_GENERAL_LANES; k++) {
-            const int i = from + k < count ? from + k : from;
-            in[0][k] = c[i];
-            in[1][k] = s[i];
-        }
-        dhgen_wrist_misses(set, DHGEN_LOAD(in[0]), DHGEN_LOAD(in[1]), miss);
+        dhgen_wrist_misses(
+            set, dhgen_lane_from(c, from, count), dhgen_lane_from(s, from, count), miss);
         for (int way = 0; way < 4; way++) {
             DHGEN_STORE(misses[way], miss[way]);
         }
         for (int k = 0; k < 4 * DHGEN_GENERAL_LANES && from + k / 4 < count; k++) {
             if (misses[k % 4][k / 4] < 1.0 && out->count < DHGEN_CANDIDATES) {
                 out->group[out->count] = group + from + k / 4;
-                out->c[out->count] = in[0][k / 4];
-                out->s[out->count] = in[1][k / 4];
+                out->c[out->count] = c[from + k / 4];
+                out->s[out->count] = s[from + k / 4];
                 out->sign[0][out->count] = k & 1 ? 1.0 : -1.0;
                 out->sign[1][out->count] = k & 2 ? 1.0 : -1.0;
                 out->count++;
@@ -189,11 +185,11 @@ DHGEN_FN void dhgen_sample_wrist(
     const void *setting, const dhgen_moebius *map, double samples[DHGEN_SAMPLES])
 {
     for (int k = 0; k < DHGEN_SAMPLES; k += DHGEN_GENERAL_LANES) {
-        dhgen_lane c = DHGEN_LOAD(dhgen_sample_c + k), s = DHGEN_LOAD(dhgen_sample_s + k);
+        dhgen_lane c = DHGEN_LOAD_SOME(dhgen_sample_c + k, DHGEN_SAMPLES - k);
+        dhgen_lane s = DHGEN_LOAD_SOME(dhgen_sample_s + k, DHGEN_SAMPLES - k);
         const dhgen_lane square = dhgen_apply_moebius(map, &c, &s);
-        DHGEN_STORE(samples + k,
-            dhgen_weighted(
-                dhgen_wrist_polynomial((const dhgen_wrist_setting *)setting, c, s), square));
+        const dhgen_lane f = dhgen_wrist_polynomial((const dhgen_wrist_setting *)setting, c, s);
+        DHGEN_STORE_SOME(samples + k, dhgen_weighted(f, square), DHGEN_SAMPLES - k);
     }
 }
 
@@ -210,6 +206,7 @@ DHGEN_FN int dhgen_solve_wrist(const dhgen_loop *loop, dhgen_found *found)
     if (!dhgen_real_roots(&source, &roots)) {
         return 0;
     }
+    DHGEN_PLACE_ROWS(&ways, sign, 2, DHGEN_CANDIDATES);
     dhgen_clear_ways(&ways);
     dhgen_wrist_ways(&set, roots.c, roots.s, roots.simple, 0, &ways);
     dhgen_wrist_ways(&set, roots.double_c, roots.double_s, roots.doubles, roots.simple, &ways);

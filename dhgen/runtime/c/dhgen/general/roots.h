@@ -122,7 +122,7 @@ DHGEN_FN int dhgen_magnify(
     const double turns = atan2(sine, cosine) / DHGEN_TURN;
     const int cell = (int)(DHGEN_CELLS * (turns - floor(turns))) % DHGEN_CELLS;
     const dhgen_window window = { cell, DHGEN_REACH, DHGEN_LIFTED_CLOSER };
-    double samples[DHGEN_SAMPLES];
+    DHGEN_IN_ROOM(samples, DHGEN_SAMPLES, DHGEN_ROOM_SAMPLES);
     dhgen_trigonometric f;
     dhgen_roots found;
     source->sample(source->of, &map, samples);
@@ -213,7 +213,7 @@ DHGEN_FN int dhgen_is_only_rounding(const double samples[DHGEN_SAMPLES])
 DHGEN_FN int dhgen_real_roots(const dhgen_source *source, dhgen_roots *roots)
 {
     const dhgen_window all = { 0, DHGEN_HALF_CELLS, DHGEN_LIFTED };
-    double samples[DHGEN_SAMPLES];
+    DHGEN_IN_ROOM(samples, DHGEN_SAMPLES, DHGEN_ROOM_SAMPLES);
     dhgen_trigonometric f;
     dhgen_moebius map = { 0.0, 0.0 };
     source->sample(source->of, &map, samples);
