@@ -65,7 +65,7 @@ def _sections(story: Story, shown: _Pictures) -> list[Block]:
     whole = story.derivation.whole
     if whole is not None:
         if isinstance(whole, GeneralKernel):
-            nearest = nearest_blocks(story.nominal, story.robot.length_unit)
+            nearest = nearest_blocks(story)
             example = whole_example_section(story, whole)
             inverse = general_section(story, whole, nearest, example)
             return [*forward_section(story), *inverse, *velocity_section(story, [])]

@@ -24,6 +24,7 @@ from dhgen.derivation.notation.polynomial import Alphabet, Writer, alphabet
 from dhgen.derivation.quotes import quotes_of
 from dhgen.derivation.text.formula import ONE, times
 from dhgen.kinematics.ring import content, primitive
+from dhgen.nominal.rows import row_names
 from dhgen.paul.arm_plane import SHOULDER
 from dhgen.paul.kind import Kind
 from dhgen.paul.knowledge import initial_knowledge
@@ -264,7 +265,14 @@ class Story:
     @property
     def branch_names(self) -> tuple[str, ...]:
         """A name for every row."""
+        if self.nominal is not None:
+            return row_names(self.nominal.solver.branches, self.program.rows)
         return self.program.branches
+
+    @property
+    def has_named_rows(self) -> bool:
+        """Whether rows have names in words: those of steps' signs, or of postures."""
+        return self.nominal is not None or (bool(self.steps) and self.has_branch_words)
 
     @property
     def has_branch_words(self) -> bool:

@@ -11,6 +11,7 @@ import numpy as np
 from dhgen.derivation.example import are_inside, drawn, least_singular, turned_rows, without_turns
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
+from dhgen.nominal.postures import placed_by_posture
 from dhgen.program.all_joints import whole_numbers
 from dhgen.program.interpret import wrap
 from dhgen.program.ir import AllJoints
@@ -37,8 +38,8 @@ class WholeExample:
         q: Joint values at the pose, (n,).
         T: The pose, (4, 4).
         given: What the caller gives besides it, (k,).
-        rows: Joint values of the solutions, (k, n).
-        inside: Which of them keep the limits, (k,).
+        rows: Joint values by row, (B, n), NaN in rows of postures that have no solution.
+        inside: Which rows keep the limits, (B,).
         loop: The angles and lengths of the loop's joints in the followed row, (6,).
         followed: The row that is worked through.
         coefficients: a_0 ... a_8, b_1 ... b_8 of the polynomial in the joint's angle, or in the
@@ -74,7 +75,7 @@ def find_whole_example(story: Story, kernel: GeneralKernel) -> WholeExample | No
         for own, T, given in zip(q, arm.pose(q), given_values(arm, q), strict=True)
         if (example := _solved(story, kernel, numbers, (own, T, given))) is not None
     ]
-    return max(found, key=lambda each: len(each.rows), default=None)
+    return max(found, key=lambda each: _count(each.rows), default=None)
 
 
 def _solved(
@@ -89,7 +90,6 @@ def _solved(
     every, status = plain("general.rows").solve_whole(
         numbers, entries, given.copy(), np.zeros(chain.dof)
     )
-    solved = every[status != UNREACHABLE]
     flat = np.array(entries)
     if kernel.pointing:
         plain("general.rows").any_turn(T[:3].copy(), flat)
@@ -101,8 +101,11 @@ def _solved(
     if found is None:
         return None
     coefficients, roots, sign = found
+    solved = every[status != UNREACHABLE]
+    if story.nominal is not None:
+        solved = placed_by_posture(chain, story.nominal, every)
     rows = turned_rows(chain, solved)
-    followed = int(np.abs(without_turns(chain, rows - q)).max(axis=1).argmin())
+    followed = int(np.nanargmin(np.abs(without_turns(chain, rows - q)).max(axis=1)))
     own = kernel.asked
     asked = [number - 1 for number in kernel.numbers[:own]]
     values = chain.drives.values(rows[followed])[asked]
@@ -114,6 +117,11 @@ def _solved(
         return None
     inside = are_inside(chain, solved)
     return WholeExample(q, T, given, rows, inside, loop, followed, coefficients, roots, taken)
+
+
+def _count(rows: FloatArray) -> int:
+    """How many rows hold a solution."""
+    return int((~np.isnan(rows).any(axis=1)).sum())
 
 
 def _polynomial(

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from dhgen.arrays import FloatArray
     from dhgen.kinematics.chain import Chain
     from dhgen.nominal.nearest import Nearest
+    from dhgen.paul.derivation import Derivation
     from dhgen.program.ir import Program
     from dhgen.program.regular.unguarded import Regular
     from dhgen.program.reserved import Reserved
@@ -46,6 +47,7 @@ class Nominal:
         chain: The arm of its table alone.
         solver: Its closed form.
         regular: The same of regular poses, left where its rows may not be all of the arm's.
+        derivation: What the closed form is made of.
         certain: At which part of random poses they are.
     """
 
@@ -53,6 +55,7 @@ class Nominal:
     chain: Chain
     solver: Program
     regular: Regular
+    derivation: Derivation
     certain: float
 
 
@@ -84,7 +87,7 @@ def _solved(chain: Chain, nearest: Nearest, reserved: Reserved) -> Nominal | Non
     own = None if whole is None else certified(whole, near.given, names)
     if own is None:
         return None
-    return Nominal(nearest, near, solver, own, _certain(chain, nearest, own))
+    return Nominal(nearest, near, solver, own, derivation, _certain(chain, nearest, own))
 
 
 def _is_asked_alone(chain: Chain) -> bool:

@@ -11,6 +11,7 @@ from dhgen import __version__
 from dhgen.kinematics.algebra import POSE_PLACES
 from dhgen.kinematics.task import compared_entries
 from dhgen.kinematics.turns import coupled_turns, has_poses_to_clamp
+from dhgen.nominal.rows import row_names
 from dhgen.printing.comments import plain_path
 from dhgen.program.regular.limits import ArmLimits, Limits
 from dhgen.program.regular.regular import regular
@@ -29,7 +30,6 @@ if TYPE_CHECKING:
     from dhgen.program.regular.unguarded import Regular
 
 
-FURTHER = "further"  # of rows for a second solution of a posture, and for one that has none
 FAN = 64  # values of a free joint that are tried first
 LAST = 3  # column of a pose: its translation
 
@@ -90,9 +90,7 @@ class SolverModule:
         """The name of every row."""
         if not self.nearest_branches:
             return self.solver.branches
-        rows, begin = self.solver.rows, self.nearest_branches
-        further = (f"{FURTHER}{number}" for number in range(1, rows - len(begin) + 1))
-        return (*begin, *further)
+        return row_names(self.nearest_branches, self.solver.rows)
 
     @property
     def programs(self) -> tuple[Program, ...]:

@@ -303,7 +303,7 @@ def all_rows(
 ) -> list[Block]:
     """All rows, and the check by the forward model; `sums` are what rows determine, by row."""
     solved = ~np.isnan(example.rows).any(axis=1)
-    named = story.has_branch_words and bool(story.steps)
+    named = story.has_named_rows
     joints = range(1, story.dof + 1)
     header = [say("row"), *([say("name")] * named), *(say("{}", joint_symbol(j)) for j in joints)]
     beyond = bool((solved & ~example.inside).any())

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from dhgen.derivation.text.blocks import Table, joined, say
+from dhgen.derivation.sections.robot import meanings_of_names
+from dhgen.derivation.text.blocks import Given, Table, joined, paragraph, say
 from dhgen.derivation.text.formula import Symbol
 from dhgen.derivation.text.template import blocks_of
 from dhgen.kinematics.neighbours import short_number
@@ -12,6 +14,7 @@ from dhgen.program.ir import Heading
 from dhgen.runtime.plain import plain
 
 if TYPE_CHECKING:
+    from dhgen.derivation.story import Story
     from dhgen.derivation.text.blocks import Block, Prose
     from dhgen.nominal.nearest import Nearest
     from dhgen.nominal.nominal import Nominal
@@ -21,13 +24,9 @@ _COLUMNS = (r"\theta", "θ"), ("d", "d"), ("a", "a"), (r"\alpha", "α")
 DIGITS = 6
 
 
-def nearest_blocks(nominal: Nominal | None, unit: str) -> list[Block]:
-    """How the nearest arm's rows are tried first; nothing where there is none.
-
-    Args:
-        nominal: The arm.
-        unit: Of lengths.
-    """
+def nearest_blocks(story: Story) -> list[Block]:
+    """How the nearest arm's rows are tried first; nothing where there is none."""
+    nominal, unit = story.nominal, story.robot.length_unit
     if nominal is None:
         return []
     return blocks_of(
@@ -40,7 +39,22 @@ def nearest_blocks(nominal: Nominal | None, unit: str) -> list[Block]:
         rows=nominal.solver.rows,
         last=f"{plain('general.correct').LAST_CORRECTION:.0e}".replace("e-0", "e-"),
         left=round(100.0 * (1.0 - nominal.certain)),
+        names=_names(story, nominal),
     )
+
+
+def _names(story: Story, nominal: Nominal) -> list[Block]:
+    """The name of every row, and what a person sees of the arm in rows of these names."""
+    names, count = story.branch_names, nominal.solver.rows
+    near = replace(story, derivation=nominal.derivation, program=nominal.solver, nominal=None)
+    return [
+        paragraph(
+            f"The names of rows 0 to {count - 1} are {{}}. Rows {count} to {len(names) - 1}, "
+            f"{names[count]} to {names[-1]}, are for further solutions.",
+            Given(", ".join(names[:count])),
+        ),
+        *meanings_of_names(near),
+    ]
 
 
 def nearest_line(nominal: Nominal, unit: str) -> str:

@@ -158,12 +158,15 @@ def branch_legend(story: Story) -> list[Block]:
     if story.derivation.whole is not None or not story.has_branch_words:
         return []
     choices = [_choice(story, place, axis) for place, axis in enumerate(story.program.axes)]
-    seen = [text for axis in story.program.axes if (text := _seen(story, axis))]
     legend = say(f"In the names of rows {'; '.join('{}' for _ in choices)}.", *choices)
-    if not seen:
-        return [Paragraph(legend)]
+    return [Paragraph(legend), *meanings_of_names(story)]
+
+
+def meanings_of_names(story: Story) -> list[Block]:
+    """What a person sees of the arm in rows of these names; nothing where that is nothing."""
+    seen = [text for axis in story.program.axes if (text := _seen(story, axis))]
     meanings = "; ".join(dict.fromkeys(seen))
-    return [Paragraph(legend), Paragraph(say(f"What the names mean: {meanings}."))]
+    return [Paragraph(say(f"What the names mean: {meanings}."))] if seen else []
 
 
 def _seen(story: Story, axis: Axis) -> str:

@@ -52,12 +52,17 @@ def whole_example_section(story: Story, kernel: GeneralKernel) -> list[Block]:
             alternatives(angle, roots),
         ),
         paragraph(
-            f"Row {example.followed} comes from {{}}{{}}",
+            f"Row {example.followed}{_posture(story, example.followed)} comes from {{}}{{}}",
             equal(angle, roots[example.taken]),
             _followed(kernel, example),
         ),
         *all_rows(story, example),
     ]
+
+
+def _posture(story: Story, row: int) -> str:
+    """The name of a row, where rows have some."""
+    return f", {story.branch_names[row]}," if story.has_named_rows else ""
 
 
 def _coefficients(example: WholeExample) -> Iterable[Relation]:
