@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from dhgen.derivation.step_context import StepContext
     from dhgen.derivation.sums_left import SumLeft
     from dhgen.derivation.text.blocks import Prose
+    from dhgen.kinematics.chain import Chain
     from dhgen.kinematics.constants import Polynomial
     from dhgen.program.ir import Program
 
@@ -170,8 +171,9 @@ def free_effect(context: StepContext) -> Prose:
         value = "{} takes the value that the seed's {} give it (each 0 without a seed)"
         taking = [say("{}", theta(context.angle)), symbols]
     troubles = ["leads to no solution"] if _decides(context, joints) else []
-    if any(joint.limits for joint in context.story.algebra.chain.joints):
-        troubles.append("puts a joint beyond its limits")
+    limited = limited_in_words(context.story.algebra.chain)
+    if limited:
+        troubles.append(f"puts {limited} beyond its limits")
     if troubles:
         value += f" or, where that {' or '.join(troubles)}, the nearest value that works"
     parts = [say(value, *taking)]
@@ -188,6 +190,12 @@ def free_effect(context: StepContext) -> Prose:
     if context.number < len(context.story.steps):
         parts.append(say("the steps below go on unchanged"))
     return say("{}; {}", parts[0], joined(parts[1:])) if parts[1:] else parts[0]
+
+
+def limited_in_words(chain: Chain) -> str:
+    """What has limits; empty where nothing has."""
+    joints = ["a joint"] * any(joint.limits for joint in chain.joints)
+    return " or ".join([*joints, *["a sum of joint values"] * bool(chain.sums)])
 
 
 def _decides(context: StepContext, joints: list[int]) -> bool:

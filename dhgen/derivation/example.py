@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from dhgen.derivation.whole_turns import are_inside, turned_rows
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
-from dhgen.kinematics.turns import TURN, joints_alone
+from dhgen.kinematics.turns import TURN
 from dhgen.program.interpret import interpret, polynomial, wrap
 
 if TYPE_CHECKING:
@@ -24,12 +25,12 @@ if TYPE_CHECKING:
     from dhgen.program.interpret import Polynomial
 
 TRIES = 64
+MORE_TRIES = 8  # times as many where sums of joint values have limits
 STEP = 5  # joint values are whole multiples of so many degrees
 FINE = 0.02  # lengths are multiples of about this part of the arm's size
 MARGIN = 0.08  # of a range, kept from its ends
 LEAST_PART = 0.2  # of a range of angles that has to be within half a turn to be drawn from there
 REGULAR = 0.05  # least singular value of the Jacobian, lengths in arm sizes
-NEAR_HALF_TURN = 1e-9  # so near to -pi angles are pi [rad]
 APART = 0.1  # of two rows [rad, arm sizes]
 
 
@@ -86,13 +87,21 @@ def find_example(story: Story) -> Example | None:
 
 
 def drawn(chain: Chain) -> FloatArray:
-    """Joint values in round numbers, inside the limits, (TRIES, n)."""
+    """Joint values in round numbers, inside the limits, (TRIES, n); fewer with limits of sums."""
     source = random.Random(1)  # noqa: S311 - an example, no secret
+    if not chain.sums:
+        return _drawn(chain, source, TRIES)
+    q = _drawn(chain, source, TRIES * MORE_TRIES)
+    return turned_rows(chain, q[are_inside(chain, q)][:TRIES])
+
+
+def _drawn(chain: Chain, source: random.Random, count: int) -> FloatArray:
+    """Joint values in round numbers, each inside its limits, (count, n)."""
     digits = -math.floor(math.log10(FINE * chain.size))
-    q = np.empty((TRIES, chain.dof))
+    q, slide = np.empty((count, chain.dof)), (0.0, chain.size)
     for row in q:
         for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
-            low, high = _range_of_angle(joint) if turns else joint.limits or (0.0, chain.size)
+            low, high = _range_of_angle(chain, joint) if turns else joint.limits or slide
             value = low + (high - low) * source.uniform(MARGIN, 1.0 - MARGIN)
             if turns:
                 row[place] = math.radians(STEP * round(math.degrees(value) / STEP))
@@ -101,9 +110,14 @@ def drawn(chain: Chain) -> FloatArray:
     return q
 
 
-def _range_of_angle(joint: ChainJoint) -> tuple[float, float]:
-    """Where an angle is drawn: within half a turn; of limits that hardly reach there, in a turn."""
+def _range_of_angle(chain: Chain, joint: ChainJoint) -> tuple[float, float]:
+    """Where an angle is drawn: within half a turn; of limits that hardly reach there, in a turn.
+
+    One that is part of a sum with limits has all of its own range: the sum may ask for that.
+    """
     low, high = joint.limits or (-math.pi, math.pi)
+    if any(limit.factors[joint.number - 1] for limit in chain.sums):
+        return low, high
     lowest, highest = max(low, -math.pi), min(high, math.pi)
     if highest - lowest > LEAST_PART * min(high - low, TURN):
         return lowest, highest
@@ -120,53 +134,9 @@ def least_singular(arm: NumericArm, q: FloatArray) -> FloatArray:
     return np.asarray(np.linalg.svd(J, compute_uv=False)[:, rank - 1])
 
 
-def are_inside(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
-    """Which rows (..., n) keep the limits, whole turns aside."""
-    kept = np.asarray(keep_their_limits(chain, q).all(axis=-1))
-    for limit in chain.sums:
-        value = q @ np.array(limit.factors)
-        if limit.turns and all(factor == round(factor) for factor in limit.factors):
-            value = limit.lowest + np.remainder(value - limit.lowest, 2.0 * np.pi)
-        kept &= (limit.lowest <= value) & (value <= limit.highest)
-    return kept
-
-
-def keep_their_limits(chain: Chain, q: FloatArray) -> NDArray[np.bool_]:
-    """Which joints of rows (..., n) keep their own limits, whole turns aside."""
-    kept = np.ones(q.shape, bool)
-    for place, (joint, turns) in enumerate(zip(chain.joints, chain.turning, strict=True)):
-        if joint.limits is not None:
-            low, high = joint.limits
-            value = q[..., place]
-            if turns:
-                value = low + np.remainder(value - low, 2.0 * np.pi)
-            kept[..., place] = (low <= value) & (value <= high)
-    return kept
-
-
 def without_turns(chain: Chain, off: FloatArray) -> FloatArray:
     """Differences of joint values without whole turns, lengths in arm sizes."""
     return np.asarray(np.where(chain.turning, wrap(off), off / chain.size))
-
-
-def turned_rows(chain: Chain, q: FloatArray) -> FloatArray:
-    """Joint values with the whole turns that a solver gives them with a seed of zeros.
-
-    Angles are in (-pi, pi], what is half a turn but for rounding is pi; those that exceed their
-    limits are inside them where whole turns take them there.
-    """
-    rows = np.array(np.where(chain.turning, wrap(q - NEAR_HALF_TURN) + NEAR_HALF_TURN, q))
-    for place, (joint, turns) in enumerate(zip(joints_alone(chain), chain.turning, strict=True)):
-        if joint.limits is None or not turns:
-            continue
-        low, high = joint.limits
-        value = rows[..., place]
-        above = np.ceil((value - high - NEAR_HALF_TURN) / TURN)
-        moved = value - TURN * np.maximum(above, 0.0)
-        below = np.ceil((low - moved - NEAR_HALF_TURN) / TURN)
-        moved += TURN * np.maximum(below, 0.0)
-        rows[..., place] = np.where(moved <= high + NEAR_HALF_TURN, moved, value)
-    return rows
 
 
 def _are_apart(chain: Chain, rows: FloatArray) -> bool:

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.derivation.example import are_inside, keep_their_limits, turned_rows, without_turns
+from dhgen.derivation.example import without_turns
 from dhgen.derivation.text.formula import ZERO, Relation
 from dhgen.derivation.values import letters_of_joints, value_of
+from dhgen.derivation.whole_turns import are_inside, are_kept, keep_their_limits, turned_rows
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.program.interpret import interpret
@@ -109,7 +110,8 @@ def _moved(story: Story, example: Example, condition: Relation) -> Iterator[tupl
         for angle in sorted(ROUND, key=abs):
             q = example.q.copy()
             q[joint] = math.radians(angle)
-            if are_inside(chain, q[None])[0] and _is_met(story, q, condition):
+            q = np.where(np.arange(chain.dof) == joint, turned_rows(chain, q[None])[0], q)
+            if are_kept(chain, q[None])[0] and _is_met(story, q, condition):
                 yield joint + 1, q
 
 

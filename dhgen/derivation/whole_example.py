@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dhgen.derivation.example import are_inside, drawn, least_singular, turned_rows, without_turns
+from dhgen.derivation.example import drawn, least_singular, without_turns
+from dhgen.derivation.whole_turns import are_inside, turned_rows
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.numeric import numeric_arm
 from dhgen.nominal.postures import placed_by_posture

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from dhgen.derivation.example import are_inside, turned_rows
+from dhgen.derivation.whole_turns import are_inside, turned_rows
 from dhgen.kinematics.numeric import NumericArm, numeric_arm
 from dhgen.legs.robot import inverse
 from dhgen.program.interpret import interpret

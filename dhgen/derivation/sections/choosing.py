@@ -33,6 +33,10 @@ MARKED = (
     "A row is a solution, whether the arm can stand there or not: one with a joint beyond its "
     "limits keeps its place and has the status OUT_OF_LIMITS."
 )
+SUMS_MARKED = (
+    "A row is a solution, whether the arm can stand there or not: one with a joint, or a sum of "
+    "joint values, beyond its limits keeps its place and has the status OUT_OF_LIMITS."
+)
 UNMARKED = "No joint has limits, so the arm can take every row that holds a solution."
 
 
@@ -46,7 +50,7 @@ def choosing_section(story: Story) -> list[Block]:
     return [
         Heading(2, say("Choosing a row")),
         paragraph(
-            (MARKED if limited else UNMARKED)
+            ((SUMS_MARKED if chain.sums else MARKED) if limited else UNMARKED)
             + (FREE if free else "")
             + (OTHERS if limited or free else ALL)
         ),

@@ -9,7 +9,7 @@ import numpy as np
 
 from dhgen.derivation.cuspidal import joined_rows
 from dhgen.derivation.definitions import in_order
-from dhgen.derivation.example import NEAR_HALF_TURN
+from dhgen.derivation.effects import limited_in_words
 from dhgen.derivation.notation.names import POSE, joint_symbol, target, unknown_symbol
 from dhgen.derivation.sections.forward import moved_left
 from dhgen.derivation.sections.roots import quartic_blocks
@@ -40,6 +40,7 @@ from dhgen.derivation.values import (
     signs_of_row,
     value_of,
 )
+from dhgen.derivation.whole_turns import NEAR_HALF_TURN
 from dhgen.paul.kind import Kind
 from dhgen.robot.task import TaskKind
 
@@ -244,6 +245,7 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
     if example is None or found is None or found.place.joints is None:
         return []
     before = int((~np.isnan(example.rows).any(axis=1)).sum())
+    limited = limited_in_words(story.algebra.chain)
     text = "For instance the example's joint values, but {}, meet {} (step {}). The tool is then at"
     moved = equal(
         joint_symbol(found.joint), joint_value(story, found.joint, found.q[found.joint - 1])
@@ -251,13 +253,19 @@ def singular_blocks(story: Story, places: Sequence[Singularity]) -> list[Block]:
     return [
         paragraph(text, moved, found.place.joints, Given(str(found.place.step))),
         display(equal(POSE, _matrix(found.T, story))),
-        paragraph(" ".join(_statuses(found, before))),
+        paragraph(" ".join(_statuses(found, before, limited))),
         *all_rows(story, found, _sums_left(story, found)),
     ]
 
 
-def _statuses(found: SingularExample, before: int) -> Iterable[str]:
-    """How many rows hold a solution, and which took the seed's value, within limits or not."""
+def _statuses(found: SingularExample, before: int, limited: str) -> Iterable[str]:
+    """How many rows hold a solution, and which took the seed's value, within limits or not.
+
+    Args:
+        found: The pose.
+        before: How many rows of the example hold one.
+        limited: What has limits.
+    """
     solved = int((~np.isnan(found.rows).any(axis=1)).sum())
     holding = "row holds a solution" if solved == 1 else "rows hold solutions"
     yield f"Here {numeral(solved)} {holding}, in the example {numeral(before)}."
@@ -269,8 +277,8 @@ def _statuses(found: SingularExample, before: int) -> Iterable[str]:
     if beyond:
         rows = many("row", list(map(str, beyond)))
         yield (
-            f"In {rows} it puts a joint beyond its limits: the nearest value that works takes its "
-            "place, and where there is none the status is OUT_OF_LIMITS."
+            f"In {rows} it puts {limited} beyond its limits: the nearest value that works takes "
+            "its place, and where there is none the status is OUT_OF_LIMITS."
         )
     for joints in dict.fromkeys(found.exceeding.values()):
         rows = many("row", [str(row) for row, own in found.exceeding.items() if own == joints])

@@ -15,6 +15,7 @@ from dhgen.derivation.sections.constant_transforms import (
     constant_matrices,
     triangle_of_the_offset_wrist,
 )
+from dhgen.derivation.sections.turns import turns_inside
 from dhgen.derivation.text.blocks import paragraph, say
 from dhgen.derivation.text.formula import ZERO, Symbol, equal
 from dhgen.derivation.text.template import blocks_of
@@ -72,6 +73,7 @@ def general_section(
         near=near_blocks(chain, story.robot.length_unit),
         nearest=nearest,
         example=example,
+        turns=turns_inside(story),
         closes=loop_that_closes(kernel),
         begin_with_motions=motions,
         matrices=[] if motions or not _has_six_own(kernel) else constant_matrices(story),

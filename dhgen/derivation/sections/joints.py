@@ -11,6 +11,7 @@ from dhgen.derivation.notation.expressions import expression_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
 from dhgen.derivation.sections.drives import drive_value
 from dhgen.derivation.sections.tables import couplings_of, joints_of, sign_and_offset
+from dhgen.derivation.sections.turns import turns_inside
 from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus
 from dhgen.derivation.text.words import counted, numeral
@@ -42,6 +43,7 @@ def joint_values(story: Story) -> list[Block]:
     if lines:
         blocks.append(Paragraph(_text(story), lead=say("The joint values.")))
         blocks.append(display(*lines))
+    blocks += turns_inside(story)
     if story.derivation.problem.overdetermined:
         blocks.append(_check(story))
     elif comparisons(story.program):

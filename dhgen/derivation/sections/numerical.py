@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.conditions import are_never_zero, unsigned, without_lengths
-from dhgen.derivation.example import Example, are_inside, drawn, turned_rows
+from dhgen.derivation.example import Example, drawn
 from dhgen.derivation.geometry import size_in_words
 from dhgen.derivation.notation.names import joint_symbol
 from dhgen.derivation.sections.example import all_rows, pose_blocks
@@ -21,6 +21,7 @@ from dhgen.derivation.text.formula import ZERO, Listing, Matrix, Symbol, equal, 
 from dhgen.derivation.text.template import blocks_of
 from dhgen.derivation.values import figures, joint_value
 from dhgen.derivation.velocity.columns import view_from
+from dhgen.derivation.whole_turns import are_inside, turned_rows
 from dhgen.kinematics.given import given_values
 from dhgen.kinematics.product import product
 from dhgen.kinematics.transform import identity

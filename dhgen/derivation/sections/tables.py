@@ -88,6 +88,7 @@ def table_blocks(story: Story) -> list[Block]:
             Symbol("x_i", "xᵢ"),
             *axes,
         ),
+        *_sums(story),
         *_rounded(story),
         variables(story),
     ]
@@ -116,6 +117,7 @@ def axes_blocks(story: Story) -> list[Block]:
         Table((*header, *([say("limits")] * limited)), tuple(rows)),
         paragraph(_AXES + _cited(story) + _AXES_TEXT, q, _I, _I, z, a, Symbol("i-1", "i−1"), _I),
         *_of_document_001(story),
+        *_sums(story),
         *_rounded(story),
         variables(story),
     ]
@@ -223,10 +225,25 @@ def _limits(joint: DhRow | AxisJoint, story: Story) -> Prose:
     return say("{} to {} {}", low, high, Given(story.robot.length_unit))
 
 
+def _sums(story: Story) -> list[Block]:
+    """The limits of sums of joint variables."""
+    sums = story.robot.sums
+    if not sums:
+        return []
+    shown = []
+    for each in sums:
+        low, high = (limit_symbol(value, each.kind) for value in each.limits)
+        unit = [Given(story.robot.length_unit)] * (each.kind is JointKind.PRISMATIC)
+        text = "{} from {} to {} {}" if unit else "{} from {} to {}"
+        shown.append(say(text, variable_symbol(0, 0, ZERO, each.of), low, high, *unit))
+    return [paragraph("Sums of joint values have limits: {}.", joined(shown))]
+
+
 def _rounded(story: Story) -> list[Block]:
     """A remark for readers of the limits."""
     turning = [joint for joint in joints_of(story) if joint.kind is JointKind.REVOLUTE]
     limits = [value for joint in turning for value in joint.limits or ()]
+    limits += [x for s in story.robot.sums if s.kind is JointKind.REVOLUTE for x in s.limits]
     if not any(map(is_rounded_limit, limits)):
         return []
     return [paragraph("Limits are rounded to a thousandth of a degree.")]
