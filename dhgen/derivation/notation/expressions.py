@@ -7,9 +7,10 @@ import re
 from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.names import joint_symbol, parameter
+from dhgen.derivation.notation.signs import sign_and_size, signs_outside, sum_of, summands
 from dhgen.derivation.text.formula import Symbol
-from dhgen.robot.exact import add, multiply
-from dhgen.robot.expression import ZERO, Binary, Name, Negate, to_text
+from dhgen.robot.exact import multiply
+from dhgen.robot.expression import Name, to_text
 from dhgen.robot.robot import JointKind
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ _FUNCTIONS = frozenset({"sin", "cos"})
 
 def expression_symbol(expression: Expression) -> Symbol:
     """An expression as one symbol, laid out as a cell has it."""
-    return text_symbol(to_text(expression))
+    return text_symbol(to_text(signs_outside(expression)))
 
 
 def variable_symbol(
@@ -42,33 +43,13 @@ def variable_symbol(
 
     That of a passive row, whose sign is zero, holds those of other joints only.
     """
-    if couplings:
-        return expression_symbol(_cell(number, sign, offset, couplings))
-    variable = joint_symbol(number)
-    minus = sign < 0
-    latex, text = ("-" * minus) + variable.latex, ("−" * minus) + variable.text
-    if offset == ZERO:
-        return Symbol(latex, text)
-    added = to_text(offset)
-    sign_text, body = ("-", added[1:]) if added.startswith("-") else ("+", added)
-    if sign_text == "-" and re.search(r" [+-] ", body):
-        sign_text, body = "+", f"({added})"
-    inner = text_symbol(body)
-    plain_sign = "−" if sign_text == "-" else "+"
-    return Symbol(f"{latex} {sign_text} {inner.latex}", f"{text} {plain_sign} {inner.text}")
-
-
-def _cell(number: int, sign: int, offset: Expression, couplings: Sequence[Coupling]) -> Expression:
-    """A cell with variables of other joints, its own one with its number."""
-    own = Name(f"q{number}")
-    total: Expression = own if sign > 0 else Negate(own) if sign else ZERO
+    own: Expression = Name(f"q{number}")
+    terms = [(sign, own)] if sign else []
     for each in couplings:
+        side, factor = sign_and_size(each.factor)
         other = Name(f"q{each.joint}")
-        if total == ZERO and abs(each.value) != 1.0:  # -3 q_2, not -(3 q_2)
-            total = Binary("*", each.factor, other)
-        else:
-            total = add(total, multiply(each.factor, other))
-    return add(total, offset)
+        terms.append((side, multiply(factor, other)))
+    return expression_symbol(sum_of([*terms, *summands(offset)]))
 
 
 def limit_symbol(value: float, kind: JointKind) -> Symbol:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dhgen.derivation.notation.expressions import expression_symbol, variable_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, link, single, theta
+from dhgen.derivation.notation.signs import sign_and_size, summands
 from dhgen.derivation.sections.tables import couplings_of, joints_of, sign_and_offset
 from dhgen.derivation.text.blocks import Heading, display, joined, paragraph, say
 from dhgen.derivation.text.formula import Formula, Symbol, add, equal, minus, times
@@ -14,7 +15,7 @@ from dhgen.derivation.text.style import PLAIN
 from dhgen.derivation.text.words import many
 from dhgen.kinematics.chain import Passive
 from dhgen.robot import exact
-from dhgen.robot.expression import ONE, ZERO, Negate
+from dhgen.robot.expression import ONE
 from dhgen.robot.passive import followed
 from dhgen.robot.robot import DhTable, JointKind
 
@@ -114,15 +115,14 @@ def _followed(story: Story, found: Followed) -> Formula:
             inner if abs(count) == 1 else times(expression_symbol(exact.number(abs(count))), inner)
         )
         parts.append(minus(part) if count < 0 else part)
-    return add(*parts, *([] if found.offset == ZERO else [_signed(found.offset)]))
+    return add(*parts, *signed_terms(found.offset))
 
 
 def drive_value(story: Story, number: int) -> Formula:
     """The value of a drive: q_3 = theta_3 + q_2."""
     sign, offset = sign_and_offset(story, number)
     added = [_term(coupling) for coupling in couplings_of(story, number)]
-    if offset != ZERO:
-        added.append(_signed(offset))
+    added += signed_terms(offset)
     inner = inner_value(story, number)
     if sign > 0:
         return equal(joint_symbol(number), add(inner, *map(minus, added)))
@@ -190,20 +190,19 @@ def _term(coupling: Coupling) -> Formula:
 
 def _times(coupling: Coupling, formula: Formula) -> Formula:
     """A drive's share, of what it is multiplied with."""
-    factor = coupling.factor
-    if isinstance(factor, Negate):
-        return minus(_product(factor.operand, formula))
-    return _product(factor, formula)
+    sign, factor = sign_and_size(coupling.factor)
+    product = _product(factor, formula)
+    return product if sign > 0 else minus(product)
 
 
 def _product(factor: Expression, formula: Formula) -> Formula:
     return formula if factor == ONE else times(_enclosed(factor), formula)
 
 
-def _signed(offset: Expression) -> Formula:
-    if isinstance(offset, Negate):
-        return minus(_enclosed(offset.operand))
-    return _enclosed(offset)
+def signed_terms(offset: Expression) -> list[Formula]:
+    """The terms of what is added to a variable."""
+    terms = [(sign, _enclosed(term)) for sign, term in summands(offset)]
+    return [term if sign > 0 else minus(term) for sign, term in terms]
 
 
 def _enclosed(expression: Expression) -> Symbol:

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from dhgen.derivation.effects import comparisons
-from dhgen.derivation.notation.expressions import expression_symbol
 from dhgen.derivation.notation.names import joint_symbol, letter, single, theta
-from dhgen.derivation.sections.drives import drive_value
+from dhgen.derivation.sections.drives import drive_value, signed_terms
 from dhgen.derivation.sections.tables import couplings_of, joints_of, sign_and_offset
 from dhgen.derivation.sections.turns import turns_inside
 from dhgen.derivation.text.blocks import Paragraph, display, paragraph, say
@@ -127,26 +126,11 @@ def _variables(story: Story) -> list[Formula]:
             continue
         if turning and sign > 0 and offset == NOTHING:
             continue
-        value = inner if sign > 0 else minus(inner)
-        if offset != NOTHING:
-            added = Symbol(*_enclosed(expression_symbol(offset)))
-            value = _minus(inner, added) if sign > 0 else _minus(added, inner)
+        added = signed_terms(offset)
+        value = add(inner, *map(minus, added)) if sign > 0 else add(*added, minus(inner))
         lines.append(equal(joint_symbol(number), value))
     order = story.algebra.chain.drives.order
     return lines + [drive_value(story, each) for each in order if couplings_of(story, each)]
-
-
-def _minus(left: Formula, right: Formula) -> Formula:
-    """left - right; a cell that begins with a sign keeps its sign out."""
-    if isinstance(right, Symbol) and right.text.startswith("−"):
-        return add(left, Symbol(right.latex[1:], right.text[1:]))
-    return add(left, minus(right))
-
-
-def _enclosed(symbol: Symbol) -> tuple[str, str]:
-    if " " in symbol.text:
-        return f"({symbol.latex})", f"({symbol.text})"
-    return symbol.latex, symbol.text
 
 
 def _check(story: Story) -> Block:
