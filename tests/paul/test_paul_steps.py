@@ -17,6 +17,8 @@ if TYPE_CHECKING:
 
     from dhgen.paul.step import Step
 
+TWO_VECTORS = {Kind.TWO_ANGLES, Kind.TWO_ANGLES_TURNED, Kind.ANGLE_AND_SUM}
+
 
 def sides(step: Step, values: Mapping[str, float]) -> list[tuple[float, float]]:
     """The equations of the type's row in the table of document 003, left and right."""
@@ -67,3 +69,15 @@ def test_roots_belong_to_the_type(name: str) -> None:
         assert step.roots == (1 if step.kind in {Kind.LENGTH, Kind.ANGLE_PAIR} else 2)
         both = step.kind in {Kind.POLAR, Kind.ANGLE_AND_LENGTH}
         assert len(step.unknowns) == (2 if both else 1)
+
+
+@pytest.mark.parametrize("name", [*NAMES, "adept_cobra600", "scara_ball_screw"])
+def test_two_values_of_types_6_to_8_are_two(name: str) -> None:
+    """Both are one where Y s - X c, the square root, is zero: at special configurations only."""
+    points = random_values(name)
+    for step in all_steps(name):
+        if step.kind in TWO_VECTORS:
+            x, y = step.coefficient("X"), step.coefficient("Y")
+            s, c = step.angle.sine, step.angle.cosine
+            roots = [number(y, v) * v[s] - number(x, v) * v[c] for v in points]
+            assert max(map(abs, roots)) > 1e-6, step

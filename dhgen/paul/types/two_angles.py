@@ -6,7 +6,8 @@ With the first equation as the real and the second as the imaginary part, all th
 
 where p and q are angle sums (one may run backwards). The square of the size of
 W exp(i q) = Z - V exp(i p) removes q, and the square of Z = ... leaves only the difference p - q:
-each is of type 2.
+each is of type 2. Where Z is zero the two vectors are opposite at every pose: p - q has one value,
+which no square root is needed for, and rounding would make two of it.
 """
 
 from __future__ import annotations
@@ -53,10 +54,12 @@ class TwoAngles:
             return read
         if any(_vanishes(vector, view) for vector in (read.v, read.w)):
             return "a coefficient vanishes on every solution"
+        if not any(read.known):
+            return "no known side: the two vectors are opposite, and their difference has one value"
         difference = _difference(read.v, read.w, view.knowledge)
         kind = _kind(read.v, read.w, difference)
         found = () if difference is None else (_by_difference(read, difference, kind, view),)
-        if kind is Kind.ANGLE_AND_SUM or not any(read.known):
+        if kind is Kind.ANGLE_AND_SUM:
             return found
         both = (read, read.swapped())
         return (*found, *(_by_elimination(each, kind, view) for each in both))
