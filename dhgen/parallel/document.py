@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from dhgen.parallel.module import ParallelModule
     from dhgen.parallel.worked import Example
 
+FEW_DIGITS = 1e-3  # that a size is rounded to
 DIGITS = 4  # decimals of examples
 WORDS = {
     (3, 4, 5): "The platform moves in all six ways.",
@@ -80,8 +81,17 @@ def parallel_blocks(
         "assemblies": [] if example is None else _assemblies(module, example),
         "many": "" if example is None else _assembly_count(example),
         "compared": [_compared(module)],
+        "size": number_symbol(module.size),
+        "made_of": _size_in_words(module),
     }
     return blocks_of("parallel", **values), figures
+
+
+def _size_in_words(module: ParallelModule) -> str:
+    """Where the robot's size comes from."""
+    if module.size > max(leg.solver.chain.size for leg in module.legs) * (1.0 + FEW_DIGITS):
+        return "the largest distance of two bases, or of two origins in the table"
+    return "that of its largest leg, the sum of all lengths or the farthest limit of a slide"
 
 
 def _freedoms_text(module: ParallelModule) -> str:
@@ -116,7 +126,7 @@ def _matrix(latex: str, text: str, T: FloatArray) -> Formula:
 
 def _bases(module: ParallelModule) -> list[Formula]:
     return [
-        equal(_place("B", number), _numbers(square(leg.leg.base)))
+        equal(_place("G", number), _numbers(square(leg.leg.base)))
         for number, leg in enumerate(module.legs, start=1)
     ]
 
@@ -192,7 +202,7 @@ def _value(value: float, turns: bool) -> Symbol:  # noqa: FBT001  of a joint
 def _smallest(example: Example) -> Block:
     text = (
         "With the first rows within limits the smallest singular value of {} is {}, that of {} is "
-        "{} (lengths in robot sizes): the pose is regular."
+        "{} (lengths divided by the robot's size): the pose is regular."
     )
     B, A = example.least
     return paragraph(text, Symbol("B", "B"), _short(B), Symbol("A", "A"), _short(A))

@@ -76,6 +76,7 @@ def general_section(
         turns=turns_inside(story),
         closes=loop_that_closes(kernel),
         begin_with_motions=motions,
+        points_behind_table=_points_behind_table(kernel, chain),
         matrices=[] if motions or not _has_six_own(kernel) else constant_matrices(story),
         shared_roots=kernel.wrist is not None and not kernel.wrist.sine,
         or_length=say(" or {}", Symbol("r_i = 0", "rᵢ = 0")) if kernel.loop.slides else say(""),
@@ -242,6 +243,12 @@ def begin_with_motions(kernel: GeneralKernel, chain: Chain) -> bool:
     """Whether the transform between two joints is one link's constant part."""
     own = kernel.asked == len(chain.links) == len(kernel.numbers)
     return own and all(isinstance(link[0], Turn | Slide) for link in chain.links)
+
+
+def _points_behind_table(kernel: GeneralKernel, chain: Chain) -> bool:
+    """Whether the tool's turn follows five links, each a turn and then its constant part."""
+    own = kernel.pointing and kernel.asked == len(chain.links) == chain.dof
+    return own and all(isinstance(link[0], Turn) for link in chain.links)
 
 
 def _motion(kernel: GeneralKernel, place: int) -> Symbol:
