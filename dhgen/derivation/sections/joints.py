@@ -116,13 +116,14 @@ def path_of(story: Story, joint: int, solved: list[AngleSum]) -> list[tuple[Angl
 
 
 def _variables(story: Story) -> list[Formula]:
-    """q_i by theta_i or r_i, where they differ."""
+    """q_i by theta_i or r_i, where they differ and the caller does not give q_i."""
     lines: list[Formula] = []
+    given = story.algebra.chain.free
     for number, joint in enumerate(joints_of(story), start=1):
         turning = joint.kind is JointKind.REVOLUTE
         inner: Formula = theta(single(number)) if turning else letter("r", "r", str(number))
         sign, offset = sign_and_offset(story, number)
-        if couplings_of(story, number):
+        if couplings_of(story, number) or number in given:
             continue
         if turning and sign > 0 and offset == NOTHING:
             continue
@@ -130,7 +131,8 @@ def _variables(story: Story) -> list[Formula]:
         value = add(inner, *map(minus, added)) if sign > 0 else add(*added, minus(inner))
         lines.append(equal(joint_symbol(number), value))
     order = story.algebra.chain.drives.order
-    return lines + [drive_value(story, each) for each in order if couplings_of(story, each)]
+    coupled = [each for each in order if couplings_of(story, each) and each not in given]
+    return lines + [drive_value(story, each) for each in coupled]
 
 
 def _check(story: Story) -> Block:

@@ -138,12 +138,14 @@ def _of_document_001(story: Story) -> list[Block]:
     return [
         paragraph(
             "Let {} be the motion of joint {} about, or along, its axis where it is in the "
-            "reference position; of a joint that turns, {} with a point {} of the axis. "
+            "reference position; of a joint that turns, {} with a point {} of the axis and the "
+            "rotation {} about it. "
             f"Together the joints move the hand by {{}}{_cited(story)}:",
             Symbol("K_i", "Kᵢ"),
             _I,
             MOTION_ABOUT_AXIS,
             Symbol("p_i", "pᵢ"),
+            Symbol("R_i", "Rᵢ"),
             moved,
         ),
         *side_by_side(_motions_about_axes(story)),
