@@ -20,6 +20,7 @@ for a terminal, `derivation_summary` a dozen lines, `alternatives_text` the rout
 | example          | a pose to work through, and its rows                                        |
 | whole_example    | one of an arm that is solved as a whole                                     |
 | singular_example | one beside the example's, at which a condition is met                       |
+| whole_turns      | those that solvers give joint values, and which rows keep their limits      |
 | known_side       | a known matrix whose long entries get letters                               |
 | cuspidal         | solutions that an arm can take without a singular place between             |
 | values           | what a printed formula is worth in numbers                                  |

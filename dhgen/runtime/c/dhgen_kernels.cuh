@@ -292,6 +292,10 @@ __global__ void __launch_bounds__(128, 3) dhgen_nearest_to_seeds(dhgen_batch<Num
 #ifdef DHGEN_LANES_ARE_THREADS
 static_assert(DHGEN_ROOM_EQUATIONS_END <= DHGEN_ROOM_SIZE, "equations in a room");
 static_assert(DHGEN_ROOM_CANDIDATES_END <= DHGEN_ROOM_SIZE, "candidates in a room");
+static_assert(DHGEN_ROOM_HARMONICS + DHGEN_SAMPLES <= DHGEN_ROOM_SAMPLES, "harmonics");
+static_assert(DHGEN_ROOM_GRID + 2 * DHGEN_EDGES_IN_LANES <= DHGEN_ROOM_TURNING, "a grid");
+static_assert(DHGEN_ROOM_TURNING + 10 * DHGEN_WAITING <= DHGEN_ROOM_CROSSING, "parts that turn");
+static_assert(DHGEN_ROOM_CROSSING + 10 * DHGEN_PARTS <= DHGEN_ROOM_CELLS, "parts that cross");
 static_assert(
     DHGEN_GROUP_THREADS / DHGEN_GROUP * DHGEN_ROOM_SIZE * 8 <= 48 << 10, "a block's rooms");
 #endif

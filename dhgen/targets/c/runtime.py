@@ -71,7 +71,7 @@ def _of_single_numbers(text: str) -> str:
 
 
 def _pasted(source: str, folder: str, known: set[str]) -> str:
-    """The same.
+    """A text with what it includes of the runtime pasted into it.
 
     Args:
         source: The text.

@@ -231,6 +231,7 @@ DHGEN_FN void dhgen_solve_parts(
             dhgen_add_simple(roots, c[k], s[k]);
         }
     }
+    DHGEN_MEET(); /* the next part takes the place of the first one */
     bent->count = crossing->count = 0;
 }
 

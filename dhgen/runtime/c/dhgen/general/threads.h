@@ -90,7 +90,7 @@ DHGEN_INLINE double *dhgen_room(int place)
 }
 
 /* Arrays of numbers in the group's room, tables, lanes, and rows of lanes; members of a structure,
- * and where these are. */
+ * and where these are. What is zero elsewhere is not here: nothing is read that was not written. */
 #define DHGEN_IN_ROOM(name, count, place) double *const name = dhgen_room(place)
 #define DHGEN_ZEROS_IN_ROOM(name, count, place) DHGEN_IN_ROOM(name, count, place)
 #define DHGEN_TABLE_IN_ROOM(name, rows, columns, place) \
@@ -176,12 +176,12 @@ DHGEN_INLINE dhgen_lane dhgen_lane_from(const double *numbers, int from, int cou
     return dhgen_lane_load(numbers + from, count - from);
 }
 
-/* The largest number of all lanes. The first thread's answer is that of all, NaN or not. */
+/* The largest number of all lanes; NaN where all are. */
 DHGEN_INLINE double dhgen_lane_largest(dhgen_lane x)
 {
     for (int step = DHGEN_GROUP / 2; step > 0; step /= 2) {
         const double other = __shfl_xor_sync(dhgen_group(), x, step, DHGEN_GROUP);
-        x = other > x ? other : x;
+        x = other > x || isnan(x) ? other : x;
     }
     return dhgen_lane_number(x, 0);
 }
