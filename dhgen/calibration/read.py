@@ -83,6 +83,10 @@ class _Reader:
             wanted = f"a calibration holds {ORIGINS}: (of each joint x, y, z, roll, pitch, yaw) or "
             message = f"{wanted}{DELTAS}: (a list, of each row {', '.join(CELLS)})"
             raise document.source.refused(span_of(document.root), message)
+        for name, (key, _) in document.pairs[id(document.root)].items():
+            if name not in (ORIGINS, DELTAS):
+                message = f"no key of a calibration is called {quoted(name)}: convention and units"
+                self._complain(key, f"{message} are those of the robot file; {ORIGINS} are in m")
         is_deltas = document.has(DELTAS)
         node = document.find((DELTAS if is_deltas else ORIGINS,))[1]
         rows = self._deltas(node) if is_deltas else self._origins(node)

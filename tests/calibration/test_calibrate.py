@@ -273,6 +273,16 @@ def test_what_is_written_over_is_told_and_what_is_read_stays(
         ("abb_irb2400", DELTAS, "drives of abb_irb2400 are coupled, or sums limited: "),
         ("puma", DELTAS, "deltas are for arms with a table; this one has axes"),
         ("puma560", "deltas: [{tehta: 1}]", "measured.yaml:1:11: no key is called 'tehta'"),
+        (
+            "puma560",
+            f"units: {{angle: deg}}\n{DELTAS}",
+            "measured.yaml:1:1: no key of a calibration is called 'units': convention and units ",
+        ),
+        (
+            "ur5e",
+            f"{NOMINAL}convention: modified\n",
+            "no key of a calibration is called 'convention'",
+        ),
         ("puma560", "deltas: 3", "measured.yaml:1:9: deltas is a list with a row for each joint"),
         ("puma560", "deltas: [3]", "measured.yaml:1:10: expected {theta: 0, d: 0, a: 0, "),
         ("puma560", "deltas: [{theta: nan}]", "measured.yaml:1:18: expected a number"),

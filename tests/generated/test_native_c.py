@@ -234,7 +234,7 @@ def test_without_a_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None
 
 def test_what_is_no_robot_is_told_what_is_wanted(tmp_path: Path) -> None:
     helper = module("dhgen_native")
-    for given_in_its_place in ("scara", np):
+    for given_in_its_place in ("scara", np, SimpleNamespace(ik_all=None)):
         with pytest.raises(TypeError, match="native takes a robot's module, as in 'import scara;"):
             helper.native(given_in_its_place)
     with pytest.raises(TypeError, match="the table of ur5e_fleet comes at run time; solve in"):

@@ -7,7 +7,7 @@ import math
 import sys
 from pathlib import Path
 from types import ModuleType, SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -233,6 +233,9 @@ def test_what_is_missing(
     vars(fleet).update(NAME="ur5e_fleet", DOF=6, calibrated=None)
     with pytest.raises(TypeError, match="the table of ur5e_fleet comes at run time; its C is CUDA"):
         dhgen_cuda.cuda(fleet)
+    arm_of_fleet = SimpleNamespace(ik_all=None)
+    with pytest.raises(TypeError, match="cuda takes a serial arm's module, "):
+        dhgen_cuda.cuda(cast("ModuleType", arm_of_fleet))
     parallel = ModuleType("delta")
     vars(parallel).update(NAME="delta", ik_all=None, DOF=3, LEGS=3)
     with pytest.raises(TypeError, match="cuda takes a serial arm's module"):

@@ -92,7 +92,8 @@ def cuda(module: ModuleType) -> Solver:
     if hasattr(module, "calibrated"):
         problem = f"cuda takes the module of one arm: the table of {module.NAME} comes at run time"
         raise TypeError(f"{problem}; its C is CUDA, too: call that from a kernel of your own")
-    if not hasattr(module, "ik_all") or hasattr(module, "LEGS"):
+    is_module = hasattr(module, "ik_all") and hasattr(module, "__file__")  # no arm of a fleet
+    if not is_module or hasattr(module, "LEGS"):
         wanted = "a serial arm's module, as in 'import scara; dhgen_cuda.cuda(scara)'"
         raise TypeError(f"cuda takes {wanted}, not {module!r}")
     source = Path(str(module.__file__)).with_suffix(".c")
