@@ -105,17 +105,24 @@ def test_threads_that_solve_a_pose_together_answer_as_the_c_does(name: str, tmp_
 
 
 @BREADTH
-def test_a_meeting_that_is_left_out_is_noticed(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    "around",
+    [
+        ("int count)\n{\n", "    if (dhgen_thread() < count) {\n"),  # before lanes are stored
+        ("        to[dhgen_thread()] = x;\n    }\n", "}\n"),  # and behind
+        ("[DHGEN_ROOM_SIZE];\n", "    return rooms"),  # where an array begins
+    ],
+)
+def test_a_meeting_that_is_left_out_is_noticed(around: tuple[str, str], tmp_path: Path) -> None:
     copied = tmp_path / "generated"
     shutil.copytree(GENERATED / "dhgen", copied / "dhgen")
     for end in ("xarm6.c", "xarm6.h", "dhgen_kernels.cuh"):
         shutil.copy(GENERATED / end, copied)
     header = copied / "dhgen" / "general" / "threads.h"
-    stored = "        to[dhgen_thread()] = x;\n    }\n"
     text = header.read_text("utf-8")
-    assert text.count(f"{stored}    dhgen_meet();\n") == 1
-    header.write_text(text.replace(f"{stored}    dhgen_meet();\n", stored), encoding="utf-8")
+    assert text.count("    dhgen_meet();\n".join(around)) == 1
+    header.write_text(text.replace("    dhgen_meet();\n".join(around), "".join(around)), "utf-8")
     program = built_for_groups("xarm6", 16, tmp_path, copied)
     with pytest.raises(subprocess.CalledProcessError) as told:
         compared(program, str(FEW), library("xarm6", tmp_path))
-    assert "threads meet at different places" in told.value.stderr
+    assert "since they met" in told.value.stderr
