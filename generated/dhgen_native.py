@@ -108,9 +108,8 @@ def native(
     if hasattr(module, "LEGS"):
         problem = f"native takes the module of a serial arm, and {module.NAME} stands on legs"
         raise TypeError(f"{problem}; call its C, or solve its legs: native({module.CHAINS[0]})")
-    if not (
-        hasattr(module, "ik_all") and hasattr(module, "__file__")
-    ):  # an arm of a fleet has none
+    is_module = hasattr(module, "ik_all") and hasattr(module, "__file__")  # no arm of a fleet
+    if not is_module:
         wanted = "a robot's module, as in 'import scara; dhgen_native.native(scara)'"
         raise TypeError(f"native takes {wanted}, not {module!r}")
     path = Path(str(module.__file__))

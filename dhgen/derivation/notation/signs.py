@@ -52,8 +52,7 @@ def summands(expression: Expression) -> list[tuple[int, Expression]]:
     match whole:
         case Binary("+" | "-" as operator, left, right):
             return [*summands(left), (1 if operator == "+" else -1, right)]
-    bare = without_sign(whole)
-    return [(1, whole)] if bare is None else [(-1, bare)]
+    return [sign_and_size(whole)]
 
 
 def sign_and_size(expression: Expression) -> tuple[int, Expression]:
